@@ -1,0 +1,107 @@
+# Every command there is; `make help` lists them.
+#
+# One source tree, three precisions: build/double, build/quad and build/multi hold objects and programs of one
+# precision each; build/P/watched holds the same algorithms with their observers compiled in; build/common
+# holds what does not depend on the precision.
+
+CC       = gcc
+CXX      = g++
+PYTHON   = /usr/bin/python3
+WARN     = -Wall -Wextra -Wno-missing-field-initializers
+OPT      = -O2
+FP       = -ffp-contract=off
+CFLAGS   = -std=c11 -D_GNU_SOURCE $(OPT) $(FP) $(WARN) -g -MMD -MP
+CXXFLAGS = -std=c++20 -x c++ $(OPT) $(FP) $(WARN) -Wno-sign-compare -g -MMD -MP
+FLINT_INCLUDE = -I/usr/include/flint
+PRECISIONS = double quad multi
+
+.DEFAULT_GOAL := all
+.SECONDARY:
+.DELETE_ON_ERROR:
+
+# ---- what is built from what ---------------------------------------------------------------------------------
+
+COMMON_MODULES = case number random row exact referee $(COMMON_EXTRA)
+REAL_MODULES   = real_text problem answer judge algorithms_named external clock
+COMMON_EXTRA   = progress
+
+ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c)
+ALGORITHMS_double := $(ALGORITHMS) $(wildcard algorithms/peers/*.c)
+ALGORITHMS_quad  := $(ALGORITHMS)
+ALGORITHMS_multi := $(ALGORITHMS)
+
+# Programs that work with reals are built for each precision; the others once, in build/double.
+PROGRAMS_REAL = list solve check time
+PROGRAMS_ONCE = generate truth
+
+LIBS_double = -llapacke -llapack -lblas
+LIBS_quad   = -lquadmath
+LIBS_multi  =
+LIBS        = -lflint-arb -lflint -lmpfr -lgmp -ljansson -lquadmath -lm
+FREETYPE_CFLAGS := $(shell pkg-config --cflags freetype2 fontconfig 2>/dev/null)
+FREETYPE_LIBS   = -lfontconfig -lfreetype
+
+# ---- rules per precision -------------------------------------------------------------------------------------
+
+COMPILE_double = $(CC) $(CFLAGS)
+COMPILE_quad   = $(CC) $(CFLAGS) -DFATLINE_QUAD
+COMPILE_multi  = $(CXX) $(CXXFLAGS) -DFATLINE_MULTI
+LINK_double = $(CC)
+LINK_quad   = $(CC)
+LINK_multi  = $(CXX)
+
+common_objects = $(COMMON_MODULES:%=build/common/harness/%.o)
+algorithm_objects = $(patsubst %.c,build/$(1)/%.o,$(ALGORITHMS_$(1)))
+watched_objects   = $(patsubst %.c,build/$(1)/watched/%.o,$(ALGORITHMS_$(1)))
+real_objects      = $(patsubst %,build/$(1)/harness/%.o,$(REAL_MODULES))
+
+build/common/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(FLINT_INCLUDE) $(FREETYPE_CFLAGS) -DBUILD_FLAGS='"$(CFLAGS)"' -c $< -o $@
+
+define precision_rules
+build/$(1)/watched/%.o: %.c
+	@mkdir -p $$(@D)
+	$$(COMPILE_$(1)) -DFATLINE_WATCHED -c $$< -o $$@
+build/$(1)/%.o: %.c
+	@mkdir -p $$(@D)
+	$$(COMPILE_$(1)) -c $$< -o $$@
+build/$(1)/libalgorithms.a: $(call algorithm_objects,$(1))
+	@rm -f $$@
+	ar rcs $$@ $$^
+build/$(1)/libwatched.a: $(call watched_objects,$(1))
+	@rm -f $$@
+	ar rcs $$@ $$^
+build/$(1)/libharness.a: $(call real_objects,$(1)) $(common_objects)
+	@rm -f $$@
+	ar rcs $$@ $$^
+$(PROGRAMS_REAL:%=build/$(1)/fatline-%): build/$(1)/fatline-%: build/$(1)/harness/%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
+	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) $$(LIBS)
+endef
+$(foreach P,$(PRECISIONS),$(eval $(call precision_rules,$(P))))
+
+common_library = build/common/libcommon.a
+$(common_library): $(common_objects)
+	@rm -f $@
+	ar rcs $@ $^
+$(PROGRAMS_ONCE:%=build/double/fatline-%): build/double/fatline-%: build/common/harness/%.o $(GENERATE_OBJECTS) $(common_library)
+	@mkdir -p $(@D)
+	$(CC) -o $@ $^ $(FREETYPE_LIBS) $(LIBS)
+build/fatline: build/common/harness/fatline.o
+	$(CC) -o $@ $^
+
+programs = build/fatline $(PROGRAMS_ONCE:%=build/double/fatline-%) \
+           $(foreach P,$(PRECISIONS),$(PROGRAMS_REAL:%=build/$(P)/fatline-%))
+
+-include $(shell find build -name '*.d' 2>/dev/null)
+
+# ---- commands ------------------------------------------------------------------------------------------------
+
+.PHONY: all help clean
+all: $(programs) ## build everything: build/fatline and its programs
+
+help: ## list these targets
+	@awk -F':.*## ' '/^[a-zA-Z_-]+:.*## /{printf "  make %-16s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+clean: ## remove build/
+	rm -rf build

@@ -1,0 +1,151 @@
+/* What algorithms and harness share: curve, problem, crossings, intersector.
+ *
+ * t belongs to f and s to g, here and in every file and row. */
+#ifndef FATLINE_BEZIER_H
+#define FATLINE_BEZIER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/real.h"
+
+enum {
+    DEGREE_MAX = 32,
+    CROSSINGS_MAX = 2048,
+    OVERLAPS_MAX = 16,
+    WORKSPACE_ROOM = 512,  /* cells that may wait at once, unless the caller asks for more */
+    STEPS_MAX = 100000     /* the step limit unless the caller asks for another */
+};
+
+/* lo <= hi, closed. */
+struct interval {
+    real lo, hi;
+};
+
+/* A planar Bezier curve over `domain`: homogeneous Bernstein coefficients x[i] = w_i X_i, y[i] = w_i Y_i,
+ * w[i] = w_i > 0 for control points (X_i, Y_i), i = 0..degree, 1 <= degree <= DEGREE_MAX.
+ * Polynomial curves have w == NULL.  The arrays are the caller's. */
+struct curve {
+    int degree;
+    const real *x, *y, *w;
+    struct interval domain;
+};
+
+/* Made once for each problem by problem_solve; algorithms read them.  Both curves are then scaled by one power
+ * of two so that 1 <= scale < 2.
+ *   scale:  max |coordinate| of the Euclidean control points of both curves (0 if all are the origin).
+ *   f, g:   every control point that a cell carries for f (for g) differs from the exact one over the
+ *           cell's interval by at most f (g) in each Euclidean coordinate; see core/cells.h.
+ *   tolerance_t, tolerance_s: widths asked for in local parameters, in [0, 1]. */
+struct bounds {
+    real scale, f, g;
+    real tolerance_t, tolerance_s;
+};
+
+struct crossings;
+
+/* Where does f(t) = g(s)? */
+struct problem {
+    struct curve f, g;
+    real tolerance;                /* width asked for, in both parameters */
+    int max_steps;                 /* > 0 */
+    struct bounds bounds;          /* of the prepared problem; callers leave it zero */
+    const struct crossings *known; /* NULL, but for `floor` */
+};
+
+/* CANDIDATE: could not be excluded.  UNIQUE: holds exactly one solution, proved.
+ * END: exactly one zero of the pair extended past its ends, within its radius of an end of a domain.
+ * CLUSTER: holds at most at_most solutions with multiplicity, proved; not told apart. */
+enum standing { CANDIDATE, UNIQUE, END, CLUSTER };
+
+struct crossing {
+    struct interval t, s;
+    enum standing standing;
+    int at_most, multiplicity; /* 0: not decided */
+};
+
+/* Every solution with t in t_outer lies here; over t_inner the curves stay within distance.
+ * exact: decided over the rationals. */
+struct overlap {
+    struct interval t_outer, t_inner, s_outer, s_inner;
+    bool reversed, exact;
+    real distance;
+};
+
+/* Every solution (t, s) lies in some crossing or overlap; a CANDIDATE may hold none.
+ * When full, candidates are merged: coverage is never given up. */
+struct crossings {
+    int count, overlaps;
+    bool merged; /* something was merged for want of room */
+    struct crossing at[CROSSINGS_MAX];
+    struct overlap overlap[OVERLAPS_MAX];
+};
+
+/* SOLVED: every record is as narrow as asked, or carries its own proof.
+ * OUT_OF_STEPS, OUT_OF_ROOM: stopped early; what is undecided is among the records, wider than asked.
+ * UNSUPPORTED: this algorithm does not take this problem (in this precision); no records.
+ * INVALID: the problem is not one (degree, weights, tolerance, a value that is not finite); no records. */
+enum outcome { SOLVED, OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED, INVALID };
+
+/* Two pieces that may still meet: f over t, g over s (local parameters, in [0, 1]).  Their homogeneous control
+ * points lie in the workspace: x[0..n], y[0..n] and, if the curve is rational, w[0..n], one after the other. */
+struct cell {
+    struct interval t, s;
+    int depth;              /* splits since the root */
+    int turn;               /* 0: f is to be clipped next, 1: g; for algorithms that alternate */
+    int halved_f, halved_g; /* midpoint halvings since the last cut from the original (core/cells.h) */
+    real *f, *g;
+};
+
+enum event { SHRUNK, SPLIT, DISCARDED, ACCEPTED };
+
+/* Memory of one solve: the caller's, reused, never grown.  workspace_init lays it out for curves of
+ * degree <= n and <= m; used and steps are set by each solve. */
+struct workspace {
+    int room, used, steps;
+    struct cell *cell;
+    real *prepared; /* scaled copies of both curves */
+    real *scratch;  /* intersector.scratch(n, m) numbers, for algorithms that ask for them */
+    size_t scratch_length;
+    void (*watch)(void *log, enum event, const struct cell *); /* called in the watched build only */
+    void *log;
+};
+
+/* Order of convergence per round claimed by the reference at contact 1, 2, 3 and at a cusp; 0: none. */
+struct order {
+    double contact_1, contact_2, contact_3, cusp;
+};
+
+struct intersector {
+    const char *name;      /* as typed and as tabulated */
+    const char *summary;   /* one line for `fatline list` */
+    const char *reference; /* author, title, year */
+    struct order claimed;
+    /* p is prepared: curves over [0, 1], scaled, bounds filled in.  Call through problem_solve. */
+    enum outcome (*intersect)(const struct problem *p, struct workspace *w, struct crossings *out);
+    size_t (*scratch)(int n, int m); /* numbers of scratch memory needed; NULL: none */
+    bool points_only; /* answers are points with a guessed width, without a proof that none is missing */
+};
+
+/* The registry: NULL-terminated, in the order of list.h.  controls[] are deliberate mistakes, found by
+ * their exact names only: negative controls for the tests. */
+extern const struct intersector *const intersectors[];
+extern const struct intersector *const controls[];
+const struct intersector *intersector_find(const char *name); /* in either table; NULL if there is none */
+
+/* Bytes for curves of degree <= n, <= m, `room` waiting cells and `scratch` numbers. */
+size_t workspace_size(int n, int m, int room, size_t scratch);
+/* Lays w out in `memory` (aligned as malloc aligns, at least workspace_size bytes). */
+void workspace_init(struct workspace *w, void *memory, int n, int m, int room, size_t scratch);
+
+/* Solves p by a: validates, scales by a power of two, puts the two curves in a canonical order (so that swapping
+ * f and g gives the same bits), calls a->intersect, undoes all that, sorts by (t.lo, s.lo).
+ * Records are in the curves' own parameters; where a domain is not [0, 1] the map is rounded outwards.
+ * No allocation, no static state: thread-safe if p, w and out are not shared. */
+enum outcome problem_solve(const struct problem *p, const struct intersector *a, struct workspace *w,
+                           struct crossings *out);
+
+const char *outcome_name(enum outcome);   /* "SOLVED", ... */
+const char *standing_name(enum standing); /* "CANDIDATE", ... */
+
+#endif
