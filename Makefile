@@ -93,15 +93,67 @@ build/fatline: build/common/harness/fatline.o
 programs = build/fatline $(PROGRAMS_ONCE:%=build/double/fatline-%) \
            $(foreach P,$(PRECISIONS),$(PROGRAMS_REAL:%=build/$(P)/fatline-%))
 
+# ---- tests ---------------------------------------------------------------------------------------------------
+
+# tests/test_X.c is built for each precision, those named here in double only.
+TESTS_ONCE =
+TESTS = $(patsubst tests/%.c,%,$(wildcard tests/test_*.c))
+tests_double = $(TESTS:%=build/double/tests/%)
+tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-out $(TESTS_ONCE),$(TESTS))))
+
+define test_rules
+build/$(1)/tests/test_%: build/$(1)/tests/test_%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
+	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
+endef
+$(foreach P,$(PRECISIONS),$(eval $(call test_rules,$(P))))
+
 -include $(shell find build -name '*.d' 2>/dev/null)
 
 # ---- commands ------------------------------------------------------------------------------------------------
 
-.PHONY: all help clean
+# Set-up may bring the compiler and the headers that this file asks for, so the rest runs in a make of its own.
+JOBS ?= $(shell nproc)
+AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
+CASES ?= ../shared/cases
+
+.PHONY: all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures \
+        instructions against-lib2geom format clean help
+
 all: $(programs) ## build everything: build/fatline and its programs
 
+tests: $(programs) $(tests_double) $(tests_others) ## build everything and the tests
+
+check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (about 6 minutes)
+	$(AFTER_SETUP) tests
+	@$(PYTHON) tests/run --cases $(CASES)
+
+check-full: setup-check ## the same with every case at every precision
+	$(AFTER_SETUP) tests
+	@$(PYTHON) tests/run --cases $(CASES) --full
+
+reproduce: setup-reproduce ## set up, build, run the main job and print its table (5 minutes; FULL=1: everything)
+	$(AFTER_SETUP) all
+	@$(PYTHON) scripts/reproduce $(if $(filter-out 0,$(FULL)),--full)
+
+figures: ## draw results/figures/ from results/raw/
+	@$(PYTHON) scripts/figures.py
+
+instructions: all ## count the instructions of each algorithm under callgrind
+	@scripts/instructions
+
+against-lib2geom: all ## time bezier_clipping beside lib2geom's clipping
+	@scripts/against_lib2geom
+
+setup: ## install what all the commands need and is missing (Debian 12)
+	@scripts/setup all
+setup-build setup-check setup-reproduce: setup-%:
+	@scripts/setup $*
+
+format: ## clang-format the C sources in place
+	clang-format -i $(shell git ls-files '*.c' '*.h' '*.hpp')
+
 help: ## list these targets
-	@awk -F':.*## ' '/^[a-zA-Z_-]+:.*## /{printf "  make %-16s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F':.*## ' '/^[a-z0-9_-]+:.*## /{printf "  make %-18s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 clean: ## remove build/
 	rm -rf build
