@@ -21,9 +21,9 @@ PRECISIONS = double quad multi
 
 # ---- what is built from what ---------------------------------------------------------------------------------
 
-COMMON_MODULES = case number random row exact referee $(COMMON_EXTRA)
-REAL_MODULES   = real_text problem answer judge algorithms_named external clock
-COMMON_EXTRA   = progress
+COMMON_MODULES = case case_fields case_expected number random row exact referee $(COMMON_EXTRA)
+REAL_MODULES   = real_text problem answer judge algorithms_named external clock case_set timing timing_rows
+COMMON_EXTRA   = progress statistics
 
 ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c)
 ALGORITHMS_double := $(ALGORITHMS) $(wildcard algorithms/peers/*.c)
@@ -31,7 +31,7 @@ ALGORITHMS_quad  := $(ALGORITHMS)
 ALGORITHMS_multi := $(ALGORITHMS)
 
 # Programs that work with reals are built for each precision; the others once, in build/double.
-PROGRAMS_REAL = list solve check time
+PROGRAMS_REAL = list solve check time repeat
 PROGRAMS_ONCE = generate truth
 
 LIBS_double = -llapacke -llapack -lblas
@@ -57,7 +57,7 @@ real_objects      = $(patsubst %,build/$(1)/harness/%.o,$(REAL_MODULES))
 
 build/common/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(FLINT_INCLUDE) $(FREETYPE_CFLAGS) -DBUILD_FLAGS='"$(CFLAGS)"' -c $< -o $@
+	$(CC) $(CFLAGS) $(FLINT_INCLUDE) $(FREETYPE_CFLAGS) -DBUILD_FLAGS='"$(CFLAGS)"' -DBUILD_FLAGS_MULTI='"$(CXXFLAGS)"' -c $< -o $@
 
 define precision_rules
 build/$(1)/watched/%.o: %.c

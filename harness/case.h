@@ -71,6 +71,7 @@ void case_reader_init(struct case_reader *r, FILE *stream, const char *file);
 enum case_status case_read(struct case_reader *r, struct test_case *c); /* on CASE_READ c is to be cleared */
 void case_reader_clear(struct case_reader *r);                          /* does not close the stream */
 void case_clear(struct test_case *c);
+void case_expected_clear(struct case_expected *e); /* then nothing is known; memory is of malloc */
 
 /* Parses one line already in memory; as case_read. */
 enum case_status case_parse(const char *text, const char *file, int line_number, struct test_case *c,

@@ -1,0 +1,43 @@
+/* The fields of a JSON line, read with complaints that say where: "file:line: field: what is wrong, what was
+ * expected".  For the readers of harness/case*.c. */
+#ifndef FATLINE_CASE_FIELDS_H
+#define FATLINE_CASE_FIELDS_H
+
+#include <gmp.h>
+#include <jansson.h>
+#include <stdbool.h>
+
+struct case_expected;
+
+enum { FIELD_MAX = 96 }; /* longest name of a field, "expected.overlap[12][3]" */
+
+struct fields {
+    const char *file;
+    int line;
+    char *error; /* 512 bytes */
+};
+
+/* Writes the message; always false. */
+bool fields_complain(const struct fields *r, const char *field, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+const char *fields_type(const json_t *v); /* "an array", "text", "missing", ... */
+
+/* A number: text in a form of number.h, or a JSON number, which is the double it denotes. */
+bool fields_rational(const struct fields *r, const char *field, const json_t *v, mpq_t q);
+/* A JSON number or null (NAN). */
+bool fields_double(const struct fields *r, const char *field, const json_t *v, double *a);
+/* A JSON integer in lo..hi. */
+bool fields_integer(const struct fields *r, const char *field, const json_t *v, int lo, int hi, int *a);
+/* An array of `length` entries; of any length if that is negative. */
+bool fields_array(const struct fields *r, const char *field, const json_t *v, int length);
+
+/* Array of n initialised rationals; memory that cannot be had ends the program with status 2. */
+mpq_t *rationals_new(int n);
+void rationals_free(mpq_t *q, int n);
+void *memory_new(size_t count, size_t size); /* zeroed */
+
+/* The object `expected` of a line into e, which is zeroed. */
+bool expected_read(const struct fields *r, const json_t *v, struct case_expected *e);
+
+#endif
