@@ -22,7 +22,7 @@ PRECISIONS = double quad multi
 # ---- what is built from what ---------------------------------------------------------------------------------
 
 COMMON_MODULES = case case_fields case_expected number random row exact referee $(COMMON_EXTRA)
-REAL_MODULES   = real_text problem answer judge algorithms_named external clock case_set timing timing_rows
+REAL_MODULES   = real_text problem answer judge algorithms_named external clock case_set timing timing_rows time_options
 COMMON_EXTRA   = progress statistics
 
 ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c)

@@ -1,0 +1,24 @@
+/* The command line of `fatline time`.  Compiled for each precision. */
+#ifndef FATLINE_TIME_OPTIONS_H
+#define FATLINE_TIME_OPTIONS_H
+
+#include "algorithms_named.h"
+#include "timing.h"
+
+struct time_settings {
+    struct algorithms_named algorithms;
+    int externals, files;
+    char **external, **file; /* commands; paths, `-` for standard input */
+    const char *baseline;    /* NULL: none */
+    const char *family_by;
+    struct timing_plan plan;
+    int max_steps, cpu; /* cpu -1: none */
+    double timeout;
+    bool human;
+};
+
+/* On wrong usage it says so and exits with status 64. */
+void time_settings_read(int argc, char **argv, struct time_settings *s);
+void time_settings_clear(struct time_settings *s);
+
+#endif

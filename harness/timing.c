@@ -1,0 +1,298 @@
+/* See timing.h. */
+#include "timing.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge.h"
+
+enum { EACH_PASSES = 5 };
+
+/* What a contender made of a pair. */
+enum result { GOOD, MISSING, OTHERWISE_WRONG, EARLY, REFUSED };
+
+/* One contender at work on pairs at[index[0..]]. */
+struct work {
+    const struct contender *contender;
+    const struct loaded_case *const *at;
+    const int *index;
+    struct timing_memory *memory;
+    long steps;
+    int failures; /* of an external program */
+};
+
+/* Judged pairs x contenders. */
+struct results {
+    int pairs, contenders;
+    int *index;            /* of the judged pairs in the family */
+    unsigned char *result; /* [contender * pairs + pair] */
+    double *ns;            /* likewise: how long that one solve took */
+    bool *in;              /* [contender]: to be timed */
+};
+
+static void *allocate(size_t n, size_t size)
+{
+    void *memory = calloc(n > 0 ? n : 1, size);
+
+    if (!memory) {
+        fprintf(stderr, "fatline: out of memory\n");
+        exit(2);
+    }
+    return memory;
+}
+
+static struct answer ask(struct work *w, const struct loaded_case *pair)
+{
+    struct answer a;
+    const struct intersector *algorithm = w->contender->algorithm;
+
+    memset(&a, 0, sizeof a);
+    a.crossings = w->memory->crossings;
+    if (!algorithm) {
+        w->failures += external_ask(w->contender->external, pair->c.id, pair->line, &a) != NULL;
+        return a;
+    }
+    a.id = pair->c.id;
+    a.algorithm = algorithm->name;
+    a.tolerance = pair->owned.problem.tolerance;
+    a.points_only = algorithm->points_only;
+    a.outcome = problem_solve(&pair->owned.problem, algorithm, &w->memory->workspace, a.crossings);
+    a.steps = w->memory->workspace.steps;
+    return a;
+}
+
+/* What is timed. */
+static void solve_pairs(void *context, int first, int last)
+{
+    struct work *w = (struct work *)context;
+    const struct intersector *algorithm = w->contender->algorithm;
+
+    for (int i = first; i < last; i++) {
+        const struct loaded_case *pair = w->at[w->index[i]];
+
+        if (algorithm)
+            problem_solve(&pair->owned.problem, algorithm, &w->memory->workspace, w->memory->crossings);
+        else
+            ask(w, pair);
+        clock_keep(w->memory->crossings);
+    }
+}
+
+static enum result rate(const struct loaded_case *pair, const struct answer *a,
+                        const struct timing_plan *plan)
+{
+    struct judgement j;
+
+    if (a->outcome == UNSUPPORTED || a->outcome == INVALID)
+        return REFUSED;
+    if (plan->unchecked)
+        return a->outcome == SOLVED ? GOOD : EARLY;
+    j = judge(&pair->c, &pair->owned.problem, a, case_tolerance(&pair->c, real_to_double(plan->tolerance)));
+    if (j.missed > 0)
+        return MISSING;
+    if (a->outcome != SOLVED)
+        return j.verdict == WRONG ? OTHERWISE_WRONG : EARLY;
+    return j.verdict == RIGHT ? GOOD : OTHERWISE_WRONG;
+}
+
+static void count_result(struct timing *t, enum result result, const char *id)
+{
+    t->judged++;
+    t->right += result == GOOD;
+    t->missing += result == MISSING;
+    t->wrong += result == OTHERWISE_WRONG;
+    t->stopped += result == EARLY;
+    t->not_taken += result == REFUSED;
+    if (result == MISSING && !t->first_missing)
+        t->first_missing = id;
+}
+
+static void judge_all(struct work *work, const struct timing_plan *plan, struct results *r,
+                      struct timing *timing)
+{
+    for (int k = 0; k < r->contenders; k++) {
+        for (int i = 0; i < r->pairs; i++) {
+            const struct loaded_case *pair = work[k].at[r->index[i]];
+            double start = clock_now(true);
+            struct answer a = ask(&work[k], pair);
+            enum result result;
+
+            r->ns[k * r->pairs + i] = clock_now(true) - start;
+            result = rate(pair, &a, plan);
+            r->result[k * r->pairs + i] = result;
+            count_result(&timing[k], result, pair->c.id);
+        }
+    }
+}
+
+static bool is_common(const struct results *r, int pair)
+{
+    for (int k = 0; k < r->contenders; k++)
+        if (r->in[k] && r->result[k * r->pairs + pair] != GOOD)
+            return false;
+    return true;
+}
+
+/* Who is still in and was right least often; -1 if nobody is in. */
+static int weakest(const struct results *r, const struct timing *timing)
+{
+    int least = -1;
+
+    for (int k = 0; k < r->contenders; k++)
+        if (r->in[k] && (least < 0 || timing[k].right <= timing[least].right))
+            least = k;
+    return least;
+}
+
+/* Settles who is timed, and on which pairs; returns how many those are. */
+static int choose(struct results *r, struct timing *timing, int *common)
+{
+    int count;
+
+    for (int k = 0; k < r->contenders; k++) {
+        r->in[k] = timing[k].missing == 0;
+        if (!r->in[k])
+            snprintf(timing[k].why_not, sizeof timing[k].why_not, "missed a root of %d of %d pairs, first %s",
+                     timing[k].missing, timing[k].judged, timing[k].first_missing);
+    }
+    for (;;) {
+        int out = weakest(r, timing);
+
+        count = 0;
+        for (int i = 0; i < r->pairs; i++)
+            if (is_common(r, i))
+                common[count++] = i;
+        if (out < 0 || (count > 0 && 2 * count >= r->pairs))
+            return out < 0 ? 0 : count;
+        r->in[out] = false;
+        snprintf(timing[out].why_not, sizeof timing[out].why_not, "right on only %d of %d pairs",
+                 timing[out].right, timing[out].judged);
+    }
+}
+
+/* Keeps every so manieth common pair if a few passes over all would not fit into the time allowed. */
+static int thin(const struct results *r, const struct timing_plan *plan, int count, int *common)
+{
+    double pass = 0;
+    int stride = 1, kept = 0;
+
+    for (int k = 0; k < r->contenders; k++)
+        for (int i = 0; i < count && r->in[k]; i++)
+            pass += r->ns[k * r->pairs + common[i]];
+    if (plan->clock.seconds > 0)
+        stride =
+            (int)fmax(1, ceil(pass * (2 + CLOCK_ROUNDS_LEAST + EACH_PASSES) / (plan->clock.seconds * 1e9)));
+    for (int i = 0; i < count; i += stride)
+        common[kept++] = common[i];
+    return kept;
+}
+
+static double mean_steps(struct work *w, int pairs)
+{
+    double sum = 0;
+
+    for (int i = 0; i < pairs; i++)
+        sum += ask(w, w->at[w->index[i]]).steps;
+    return sum / pairs;
+}
+
+static void find_slowest(struct work *w, const struct clock_task *task, struct timing *t)
+{
+    double *ns = (double *)allocate(task->items, sizeof *ns);
+    int worst = 0;
+
+    clock_each(task, EACH_PASSES, ns);
+    for (int i = 1; i < task->items; i++)
+        if (ns[i] > ns[worst])
+            worst = i;
+    t->ns_max = ns[worst];
+    t->worst_id = w->at[w->index[worst]]->c.id;
+    free(ns);
+}
+
+/* Times those who are in on the pairs index[0..pairs-1] of the family. */
+static void measure(struct work *work, const struct results *r, const struct timing_plan *plan, int pairs,
+                    struct timing *timing)
+{
+    struct clock_task *task = (struct clock_task *)allocate(r->contenders, sizeof *task);
+    struct clock_samples *samples = (struct clock_samples *)allocate(r->contenders, sizeof *samples);
+    int *who = (int *)allocate(r->contenders, sizeof *who), n = 0;
+
+    for (int k = 0; k < r->contenders; k++) {
+        if (!r->in[k])
+            continue;
+        work[k].failures = 0;
+        timing[k].steps = mean_steps(&work[k], pairs);
+        task[n].items = pairs;
+        task[n].run = solve_pairs;
+        task[n].context = &work[k];
+        task[n].wall = !work[k].contender->algorithm;
+        who[n++] = k;
+    }
+    clock_interleave(n, task, &plan->clock, samples);
+    for (int i = 0; i < n; i++) {
+        struct timing *t = &timing[who[i]];
+
+        find_slowest(&work[who[i]], &task[i], t);
+        t->samples = samples[i];
+        t->pairs = work[who[i]].failures ? 0 : pairs;
+        if (work[who[i]].failures)
+            snprintf(t->why_not, sizeof t->why_not, "failed %d times while timed", work[who[i]].failures);
+    }
+    free(who);
+    free(samples);
+    free(task);
+}
+
+static int judgeable(int count, const struct loaded_case *const *at, bool unchecked, int *index)
+{
+    int pairs = 0;
+
+    for (int i = 0; i < count; i++)
+        if (unchecked || (at[i]->c.expected.known && !at[i]->c.ambiguous))
+            index[pairs++] = i;
+    return pairs;
+}
+
+void timing_run(int count, const struct loaded_case *const *at, int n, const struct contender *contender,
+                const struct timing_plan *plan, struct timing_memory *memory, struct timing *timing,
+                int *left_out)
+{
+    struct work *work = (struct work *)allocate(n, sizeof *work);
+    int *common = (int *)allocate(count, sizeof *common), pairs;
+    struct results r;
+
+    memset(timing, 0, n * sizeof *timing);
+    r.index = (int *)allocate(count, sizeof *r.index);
+    r.pairs = judgeable(count, at, plan->unchecked, r.index);
+    r.contenders = n;
+    r.result = (unsigned char *)allocate((size_t)n * r.pairs, 1);
+    r.ns = (double *)allocate((size_t)n * r.pairs, sizeof *r.ns);
+    r.in = (bool *)allocate(n, sizeof *r.in);
+    *left_out = count - r.pairs;
+    for (int k = 0; k < n; k++) {
+        work[k].contender = &contender[k];
+        work[k].at = at;
+        work[k].memory = memory;
+        work[k].index = common;
+    }
+    judge_all(work, plan, &r, timing);
+    pairs = thin(&r, plan, choose(&r, timing, common), common);
+    for (int i = 0; i < pairs; i++)
+        common[i] = r.index[common[i]];
+    if (pairs > 0)
+        measure(work, &r, plan, pairs, timing);
+    free(r.in);
+    free(r.ns);
+    free(r.result);
+    free(r.index);
+    free(common);
+    free(work);
+}
+
+void timing_clear(struct timing *timing)
+{
+    clock_samples_clear(&timing->samples);
+}
