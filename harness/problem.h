@@ -1,4 +1,5 @@
-/* From a case to the build's problem: exact rationals rounded to nearest real.  Compiled for each precision. */
+/* From a case to the build's problem: exact rationals rounded to nearest real.  Compiled for each precision.
+ */
 #ifndef FATLINE_PROBLEM_H
 #define FATLINE_PROBLEM_H
 
@@ -11,11 +12,14 @@ struct owned_problem {
     real *memory;
 };
 
-/* NULL, or why the case is not a problem (degree above DEGREE_MAX, ...).  bits: 53 in double. */
-const char *owned_problem_make(const struct test_case *c, real tolerance, int max_steps, struct owned_problem *p);
+/* NULL, or why the case is not a problem in this precision (p then holds no memory): every coefficient x, y,
+ * or w, w X, w Y if the curve is rational, is the exact one rounded once. */
+const char *owned_problem_make(const struct test_case *c, real tolerance, int max_steps,
+                               struct owned_problem *p);
 void owned_problem_clear(struct owned_problem *p);
 
-/* A workspace large enough for every algorithm in `a` (NULL-terminated) up to degrees n, m; malloc. */
+/* A workspace large enough for every algorithm in `a` (NULL-terminated) up to degrees n, m; malloc.  Room:
+ * the workspace's own (WORKSPACE_ROOM if in doubt).  Without memory the program ends with status 2. */
 void workspace_make(struct workspace *w, const struct intersector *const *a, int n, int m, int room);
 void workspace_clear(struct workspace *w);
 

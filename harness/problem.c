@@ -1,0 +1,112 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "problem.h"
+#include "number.h"
+
+/* c into coefficients at `memory`, of which it takes 2 (degree + 1), or 3 (degree + 1) if c is rational.
+ * w X is formed exactly and rounded once. */
+static const char *curve_make(const struct case_curve *c, real *memory, struct curve *out)
+{
+    int length = c->degree + 1;
+    real *x = memory, *y = x + length, *w = y + length;
+    bool finite = true;
+    mpq_t product;
+
+    mpq_init(product);
+    for (int i = 0; i < length; i++) {
+        if (c->rational) {
+            w[i] = real_from_rational(c->w[i]);
+            mpq_mul(product, c->w[i], c->x[i]);
+            x[i] = real_from_rational(product);
+            mpq_mul(product, c->w[i], c->y[i]);
+            y[i] = real_from_rational(product);
+            finite = finite && w[i] > 0 && real_is_finite(w[i]);
+        } else {
+            x[i] = real_from_rational(c->x[i]);
+            y[i] = real_from_rational(c->y[i]);
+        }
+        finite = finite && real_is_finite(x[i]) && real_is_finite(y[i]);
+    }
+    mpq_clear(product);
+    out->degree = c->degree;
+    out->x = x;
+    out->y = y;
+    out->w = c->rational ? w : NULL;
+    out->domain.lo = real_from_rational(c->lo);
+    out->domain.hi = real_from_rational(c->hi);
+    if (!finite)
+        return "coordinates: beyond the range of this precision, expected finite numbers and positive "
+               "weights";
+    if (!real_is_finite(out->domain.lo) || !real_is_finite(out->domain.hi) ||
+        !(out->domain.lo < out->domain.hi))
+        return "domain: empty in this precision, expected [lo, hi] with lo < hi";
+    return NULL;
+}
+
+static size_t coefficients(const struct case_curve *c)
+{
+    return (size_t)(c->rational ? 3 : 2) * (size_t)(c->degree + 1);
+}
+
+static void *allocate(size_t bytes)
+{
+    void *memory = malloc(bytes);
+
+    if (!memory) {
+        fprintf(stderr, "fatline: out of memory (%zu bytes)\n", bytes);
+        exit(2);
+    }
+    return memory;
+}
+
+const char *owned_problem_make(const struct test_case *c, real tolerance, int max_steps,
+                               struct owned_problem *p)
+{
+    const char *wrong;
+
+    memset(&p->problem, 0, sizeof p->problem);
+    p->memory = NULL;
+    if (c->f.degree < 1 || c->f.degree > DEGREE_MAX)
+        return "f.degree: out of range, expected 1 to 32";
+    if (c->g.degree < 1 || c->g.degree > DEGREE_MAX)
+        return "g.degree: out of range, expected 1 to 32";
+    p->memory = (real *)allocate((coefficients(&c->f) + coefficients(&c->g)) * sizeof(real));
+    wrong = curve_make(&c->f, p->memory, &p->problem.f);
+    if (!wrong)
+        wrong = curve_make(&c->g, p->memory + coefficients(&c->f), &p->problem.g);
+    if (wrong)
+        owned_problem_clear(p);
+    p->problem.tolerance = tolerance;
+    p->problem.max_steps = max_steps;
+    return wrong;
+}
+
+void owned_problem_clear(struct owned_problem *p)
+{
+    free(p->memory);
+    p->memory = NULL;
+}
+
+void workspace_make(struct workspace *w, const struct intersector *const *a, int n, int m, int room)
+{
+    size_t scratch = 0;
+
+    for (; *a; a++) {
+        if ((*a)->scratch) {
+            /* problem_solve may exchange the curves */
+            size_t nm = (*a)->scratch(n, m), mn = (*a)->scratch(m, n);
+            scratch = nm > scratch ? nm : scratch;
+            scratch = mn > scratch ? mn : scratch;
+        }
+    }
+    workspace_init(w, allocate(workspace_size(n, m, room, scratch)), n, m, room, scratch);
+}
+
+/* The block begins with the cells. */
+void workspace_clear(struct workspace *w)
+{
+    free(w->cell);
+    w->cell = NULL;
+}
