@@ -1,5 +1,6 @@
 """Commands run by a few workers at a time, with a bar (or plain lines) of progress on stderr."""
 
+import json
 import os
 import signal
 import subprocess
@@ -27,6 +28,14 @@ def run(command, timeout=None, stdout=subprocess.PIPE, env=None):
                 raise
             err += f"killed after {timeout:g} s\n"
             return subprocess.CompletedProcess(command, TIMED_OUT, out or "", err)
+
+
+def algorithms(precision="double"):
+    """The names in the registry of this precision, in its order."""
+    listed = run([FATLINE, "--precision", precision, "list", "--json"])
+    if listed.returncode != 0:
+        sys.exit(f"{FATLINE} list: {listed.stderr.strip()}")
+    return [json.loads(line)["algorithm"] for line in listed.stdout.splitlines()]
 
 
 def duration(seconds):
