@@ -13,8 +13,8 @@ enum {
     DEGREE_MAX = 32,
     CROSSINGS_MAX = 2048,
     OVERLAPS_MAX = 16,
-    WORKSPACE_ROOM = 512,  /* cells that may wait at once, unless the caller asks for more */
-    STEPS_MAX = 100000     /* the step limit unless the caller asks for another */
+    WORKSPACE_ROOM = 512, /* cells that may wait at once, unless the caller asks for more */
+    STEPS_MAX = 100000    /* the step limit unless the caller asks for another */
 };
 
 /* lo <= hi, closed. */
@@ -31,12 +31,11 @@ struct curve {
     struct interval domain;
 };
 
-/* Made once for each problem by problem_solve; algorithms read them.  Both curves are then scaled by one power
- * of two so that 1 <= scale < 2.
- *   scale:  max |coordinate| of the Euclidean control points of both curves (0 if all are the origin).
- *   f, g:   every control point that a cell carries for f (for g) differs from the exact one over the
- *           cell's interval by at most f (g) in each Euclidean coordinate; see core/cells.h.
- *   tolerance_t, tolerance_s: widths asked for in local parameters, in [0, 1]. */
+/* Made once for each problem by problem_solve; algorithms read them.  Both curves are then scaled by one
+ * power of two so that 1 <= scale < 2. scale:  max |coordinate| of the Euclidean control points of both
+ * curves (0 if all are the origin). f, g:   every control point that a cell carries for f (for g) differs
+ * from the exact one over the cell's interval by at most f (g) in each Euclidean coordinate; see
+ * core/cells.h. tolerance_t, tolerance_s: widths asked for in local parameters, in [0, 1]. */
 struct bounds {
     real scale, f, g;
     real tolerance_t, tolerance_s;
@@ -87,8 +86,9 @@ struct crossings {
  * INVALID: the problem is not one (degree, weights, tolerance, a value that is not finite); no records. */
 enum outcome { SOLVED, OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED, INVALID };
 
-/* Two pieces that may still meet: f over t, g over s (local parameters, in [0, 1]).  Their homogeneous control
- * points lie in the workspace: x[0..n], y[0..n] and, if the curve is rational, w[0..n], one after the other. */
+/* Two pieces that may still meet: f over t, g over s (local parameters, in [0, 1]).  Their homogeneous
+ * control points lie in the workspace: x[0..n], y[0..n] and, if the curve is rational, w[0..n], one after the
+ * other. */
 struct cell {
     struct interval t, s;
     int depth;              /* splits since the root */
@@ -104,6 +104,7 @@ enum event { SHRUNK, SPLIT, DISCARDED, ACCEPTED };
 struct workspace {
     int room, used, steps;
     struct cell *cell;
+    real *pool;     /* control points of the cells; each solve lays it out by its own degrees */
     real *prepared; /* scaled copies of both curves */
     real *scratch;  /* intersector.scratch(n, m) numbers, for algorithms that ask for them */
     size_t scratch_length;
@@ -138,10 +139,10 @@ size_t workspace_size(int n, int m, int room, size_t scratch);
 /* Lays w out in `memory` (aligned as malloc aligns, at least workspace_size bytes). */
 void workspace_init(struct workspace *w, void *memory, int n, int m, int room, size_t scratch);
 
-/* Solves p by a: validates, scales by a power of two, puts the two curves in a canonical order (so that swapping
- * f and g gives the same bits), calls a->intersect, undoes all that, sorts by (t.lo, s.lo).
- * Records are in the curves' own parameters; where a domain is not [0, 1] the map is rounded outwards.
- * No allocation, no static state: thread-safe if p, w and out are not shared. */
+/* Solves p by a: validates, scales by a power of two, puts the two curves in a canonical order (so that
+ * swapping f and g gives the same bits), calls a->intersect, undoes all that, sorts by (t.lo, s.lo). Records
+ * are in the curves' own parameters; where a domain is not [0, 1] the map is rounded outwards. No allocation,
+ * no static state: thread-safe if p, w and out are not shared. */
 enum outcome problem_solve(const struct problem *p, const struct intersector *a, struct workspace *w,
                            struct crossings *out);
 

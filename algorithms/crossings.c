@@ -1,0 +1,82 @@
+#include "crossings.h"
+
+static bool touch(const struct interval *a, const struct interval *b)
+{
+    return a->lo <= b->hi && b->lo <= a->hi;
+}
+
+static void join(struct interval *a, const struct interval *b)
+{
+    a->lo = real_min(a->lo, b->lo);
+    a->hi = real_max(a->hi, b->hi);
+}
+
+/* One pass over all pairs; what is merged may leave new contacts, which the next pass finds. */
+static void merge_candidates(struct crossings *out)
+{
+    int kept = 0;
+    for (int i = 0; i < out->count; i++) {
+        struct crossing *c = &out->at[i];
+        int j = c->standing == CANDIDATE ? kept - 1 : -1;
+        while (j >= 0 && !(out->at[j].standing == CANDIDATE && touch(&out->at[j].t, &c->t) &&
+                           touch(&out->at[j].s, &c->s))) {
+            j--;
+        }
+        if (j >= 0) {
+            join(&out->at[j].t, &c->t);
+            join(&out->at[j].s, &c->s);
+        } else {
+            out->at[kept++] = *c;
+        }
+    }
+    out->count = kept;
+}
+
+void crossings_add(struct crossings *out, const struct crossing *c)
+{
+    if (out->count == CROSSINGS_MAX) {
+        out->merged = true;
+        merge_candidates(out);
+    }
+    if (out->count < CROSSINGS_MAX) {
+        out->at[out->count++] = *c;
+        return;
+    }
+    int k = CROSSINGS_MAX - 1;
+    while (k > 0 && out->at[k].standing != CANDIDATE) {
+        k--;
+    }
+    join(&out->at[k].t, &c->t);
+    join(&out->at[k].s, &c->s);
+    out->at[k].standing = CANDIDATE;
+    out->at[k].at_most = out->at[k].multiplicity = 0;
+}
+
+static bool precedes(const struct crossing *a, const struct crossing *b)
+{
+    if (a->t.lo != b->t.lo) {
+        return a->t.lo < b->t.lo;
+    }
+    if (a->s.lo != b->s.lo) {
+        return a->s.lo < b->s.lo;
+    }
+    return a->t.hi != b->t.hi ? a->t.hi < b->t.hi : a->s.hi < b->s.hi;
+}
+
+void crossings_sort(struct crossings *out)
+{
+    int gap = 1;
+    while (gap < out->count / 3) {
+        gap = 3 * gap + 1;
+    }
+    for (; gap > 0; gap /= 3) {
+        for (int i = gap; i < out->count; i++) {
+            struct crossing c = out->at[i];
+            int j = i;
+            for (; j >= gap && precedes(&c, &out->at[j - gap]); j -= gap) {
+                out->at[j] = out->at[j - gap];
+            }
+            out->at[j] = c;
+        }
+    }
+}

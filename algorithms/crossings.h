@@ -1,0 +1,14 @@
+/* The list of records of one solve: adding, merging when full, sorting. */
+#ifndef FATLINE_CROSSINGS_H
+#define FATLINE_CROSSINGS_H
+
+#include "bezier.h"
+
+/* Appends a record.  When the list is full, touching candidates are merged first; if that frees nothing, the
+ * new record is merged into the last candidate.  Either sets out->merged; coverage is kept. */
+void crossings_add(struct crossings *out, const struct crossing *c);
+
+/* Sorts by (t.lo, s.lo, t.hi, s.hi). */
+void crossings_sort(struct crossings *out);
+
+#endif

@@ -1,0 +1,243 @@
+/* Clip one curve, thickened to a band about its best approximation of degree k, to the fat line of the other.
+ *
+ * Lou and Liu, Curve intersection using hybrid clipping, Computers and Graphics 36, 2012; pseudo-code as in
+ * D. Keglevic, Iskanje presecisc Bezierjevih krivulj z metodo hibridnih izrezkov.  With d the distance of f
+ * from the chord line of g (unit normal), d0 that of its best approximation and |d - d0| <= delta, f can meet
+ * g only where d0 + delta >= d_min and d0 - delta <= d_max.  Order per round at a crossing min(k + 1, 4).
+ *
+ * As published the discard rule reads AND, which never holds, and nothing is discarded: it must be OR.  Other
+ * repairs: the normal has unit length (delta is a length); pairs are returned in the order (f, g); b_0 = b_m
+ * takes another direction (fat_line); k >= n is exact, delta = 0; a box is tested once more before it is
+ * returned; widths stop at the rounding of the parameters; every bound carries its rounding.
+ *
+ * hybrid_clipping_k clips the wider parameter interval, takes delta for the planar error, and halves both
+ * curves when no more than half is removed.  hybrid_clipping_k_arc is the same body with the two-sided scalar
+ * delta, the geometrically longer arc clipped and halved, and a test by oriented boxes first. */
+#include "../core/band.h"
+#include "../core/cells.h"
+#include "../core/reduce.h"
+
+struct rules {
+    int k;
+    bool arc;         /* the variant: scalar delta, longer arc, oriented boxes */
+    bool discard_and; /* control: the discard rule as printed */
+    real stretch;     /* 1; the length of the normal */
+};
+
+/* Bernstein coefficients of degree k: a may meet b only where the polynomial `lower` is >= 0 and `upper` <=
+ * 0. */
+struct bounds_of_distance {
+    int k;
+    real lower[BAND_DEGREE_MAX + 1], upper[BAND_DEGREE_MAX + 1];
+};
+
+/* The distances reduced as they are: residuals bound them on either side.
+ * For a polynomial curve lower and upper differ by the thickness of the strip, whose rounding (3 u) is added.
+ */
+static void reduce_scalar(const struct reduction *r, const struct strip *s, const struct arc *a,
+                          struct bounds_of_distance *out)
+{
+    real lower[DEGREE_MAX + 1], upper[DEGREE_MAX + 1], rest[DEGREE_MAX + 1];
+    strip_distances(s, a, lower, upper);
+    for (int side = 0; side < 2; side++) {
+        const real *d = side ? upper : lower;
+        real *q = side ? out->upper : out->lower;
+        real least = 0, most = 0, largest = 0;
+        reduction_apply(r, d, q);
+        real bound = reduction_residual(r, d, q, rest);
+        for (int i = 0; i <= a->degree; i++) {
+            least = real_min(least, rest[i]);
+            most = real_max(most, rest[i]);
+        }
+        for (int i = 0; i <= r->k; i++) {
+            largest = real_max(largest, real_abs(q[i]));
+        }
+        bound = bound + REAL_EPSILON * (largest + most - least);
+        for (int i = 0; i <= r->k; i++) {
+            q[i] = side ? q[i] + (least - bound) : q[i] + (most + bound);
+        }
+    }
+}
+
+/* The curve reduced, delta = max |a_i - c_i|: valid for |n| <= 1, for rational curves with |level| times the
+ * residual of the weight added. */
+static void reduce_vector(const struct reduction *r, const struct strip *s, const struct arc *a,
+                          struct bounds_of_distance *out)
+{
+    const real *c[3] = {a->x, a->y, a->w};
+    real q[3][BAND_DEGREE_MAX + 1], rest[3][DEGREE_MAX + 1], bound[3] = {0, 0, 0};
+    int components = a->w ? 3 : 2;
+    for (int j = 0; j < components; j++) {
+        reduction_apply(r, c[j], q[j]);
+        bound[j] = reduction_residual(r, c[j], q[j], rest[j]);
+    }
+    real planar = 0, weight = 0, largest = 0;
+    for (int i = 0; i <= a->degree; i++) {
+        planar = real_max(planar, rest[0][i] * rest[0][i] + rest[1][i] * rest[1][i]);
+        weight = a->w ? real_max(weight, real_abs(rest[2][i])) : 0;
+    }
+    for (int i = 0; i <= r->k; i++) {
+        largest = real_max(largest, real_max(real_abs(q[0][i]), real_abs(q[1][i])));
+    }
+    planar = real_sqrt(planar);
+    for (int side = 0; side < 2; side++) {
+        real level = side ? s->hi : s->lo, *d = side ? out->upper : out->lower, most = 0;
+        for (int i = 0; i <= r->k; i++) {
+            d[i] = s->nx * q[0][i] + s->ny * q[1][i];
+            d[i] = d[i] - (a->w ? level * q[2][i] : level);
+            most = real_max(most, real_abs(level * (a->w ? q[2][i] : (real)1)));
+        }
+        /* rounding: planar and the distances 4 u each, and the residuals' own bounds */
+        real pad = bound[0] + bound[1] + real_abs(level) * bound[2] +
+                   4 * REAL_EPSILON * (planar + real_abs(level) * weight + s->norm * largest + most);
+        real delta = planar + real_abs(level) * weight + pad;
+        for (int i = 0; i <= r->k; i++) {
+            d[i] = side ? d[i] - delta : d[i] + delta;
+        }
+    }
+}
+
+/* Where a may meet b, in local parameters of a. */
+static void clip(const struct rules *rules, const struct reduction *r, const struct arc *a,
+                 const struct arc *b, real scale, struct band *kept)
+{
+    const struct fat_line_rule line = {.unit = true, .tight = false, .stretch = rules->stretch};
+    struct strip s;
+    struct bounds_of_distance d;
+    struct band above, below;
+    fat_line(b, a, scale, &line, &s);
+    if (rules->arc) {
+        reduce_scalar(r, &s, a, &d);
+    } else {
+        reduce_vector(r, &s, a, &d);
+    }
+    for (int i = 0; i <= r->k; i++) {
+        d.upper[i] = -d.upper[i];
+    }
+    band_above(r->k, d.lower, &above);
+    band_above(r->k, d.upper, &below);
+    if (rules->discard_and) {
+        band_join(&above, &below, kept);
+    } else {
+        band_meet(&above, &below, kept);
+    }
+}
+
+/* The paper clips the wider parameter interval, the variant the longer arc; never one that is narrow enough.
+ */
+static bool clips_g(const struct problem *p, const struct cell *c, const struct arc *f, const struct arc *g,
+                    bool arc)
+{
+    real t = interval_width(&c->t), s = interval_width(&c->s);
+    if (t <= p->bounds.tolerance_t || s <= p->bounds.tolerance_s) {
+        return t <= p->bounds.tolerance_t;
+    }
+    return arc ? arc_extent(f) < arc_extent(g) : t < s;
+}
+
+static inline struct reduction reduction_at(const struct problem *p, const struct workspace *w, int k, bool g)
+{
+    int n = g ? p->g.degree : p->f.degree;
+    const real *memory = w->scratch + (g ? reduction_length(p->f.degree, k) : 0);
+    struct reduction r = {n, k < n ? k : n, k < n ? memory : NULL, memory + (n + 1) * (k + 1)};
+    return r;
+}
+
+static int shrink(const struct rules *rules, const struct problem *p, const struct workspace *w,
+                  struct cell *c, struct piece piece[PIECES_MAX])
+{
+    struct arc f = cell_f(p, c), g = cell_g(p, c);
+    if (rules->arc && !arc_oriented_boxes_meet(&f, &g, p->bounds.scale)) {
+        return 0;
+    }
+    bool on_g = clips_g(p, c, &f, &g, rules->arc);
+    struct reduction r = reduction_at(p, w, rules->k, on_g);
+    struct band kept;
+    clip(rules, &r, on_g ? &g : &f, on_g ? &f : &g, p->bounds.scale, &kept);
+    real width = interval_width(on_g ? &c->s : &c->t), widest = 0;
+    for (int i = 0; i < kept.count; i++) {
+        piece[i].t = c->t;
+        piece[i].s = c->s;
+        struct interval *a = on_g ? &piece[i].s : &piece[i].t;
+        interval_clip(a, kept.lo[i], kept.hi[i]);
+        widest = real_max(widest, interval_width(a));
+    }
+    if (kept.count == 0 || 2 * widest < width) {
+        return kept.count;
+    }
+    if (rules->arc && kept.count == 1) {
+        cell_narrow(p, c, &piece[0]);
+    }
+    return HALVE;
+}
+
+static bool may_meet(const struct problem *p, const struct cell *c)
+{
+    struct arc f = cell_f(p, c), g = cell_g(p, c);
+    return arc_oriented_boxes_meet(&f, &g, p->bounds.scale);
+}
+
+/* margin: 1; 0 only in a control, which then takes every control point for exact. */
+static inline enum outcome solve(const struct problem *p, struct workspace *w, struct crossings *out, int k,
+                                 shrink_function *step, enum halving rule, int margin)
+{
+    struct reduction unused;
+    reduction_init(&unused, p->f.degree, k, w->scratch);
+    reduction_init(&unused, p->g.degree, k, w->scratch + reduction_length(p->f.degree, k));
+    if (margin) {
+        return solve_by_shrinking(p, w, out, step, may_meet, rule);
+    }
+    struct problem q = *p;
+    q.bounds.scale = q.bounds.f = q.bounds.g = 0;
+    return solve_by_shrinking(&q, w, out, step, may_meet, rule);
+}
+
+static inline size_t scratch_length(int n, int m, int k)
+{
+    return 2 * (size_t)(n + m + 2) * (size_t)(k + 1);
+}
+
+/* One entry of the registry: its rules, its step, its order per round at contact 1, its name and summary. */
+#define HYBRID(id, degree, variant, rule, wrong_and, margin, stretch, order_, what)                          \
+    static int id##_shrink(const struct problem *p, const struct workspace *w, struct cell *c,               \
+                           struct piece piece[PIECES_MAX])                                                   \
+    {                                                                                                        \
+        const struct rules rules = {degree, variant, wrong_and, stretch};                                    \
+        return shrink(&rules, p, w, c, piece);                                                               \
+    }                                                                                                        \
+    static enum outcome id##_intersect(const struct problem *p, struct workspace *w, struct crossings *out)  \
+    {                                                                                                        \
+        return solve(p, w, out, degree, id##_shrink, rule, margin);                                          \
+    }                                                                                                        \
+    static size_t id##_scratch(int n, int m)                                                                 \
+    {                                                                                                        \
+        return scratch_length(n, m, degree);                                                                 \
+    }                                                                                                        \
+    extern const struct intersector id;                                                                      \
+    const struct intersector id = {                                                                          \
+        .name = #id,                                                                                         \
+        .summary = what,                                                                                     \
+        .reference = "Lou and Liu, Curve intersection using hybrid clipping, 2012",                          \
+        .claimed = {order_, 1, 0, 0},                                                                        \
+        .intersect = id##_intersect,                                                                         \
+        .scratch = id##_scratch,                                                                             \
+        .points_only = false,                                                                                \
+    };
+
+HYBRID(hybrid_clipping_1, 1, false, FOUR_WAY, false, 1, 1, 2,
+       "clip a band of degree 1 to the other's fat line")
+HYBRID(hybrid_clipping_2, 2, false, FOUR_WAY, false, 1, 1, 3,
+       "clip a band of degree 2 to the other's fat line")
+HYBRID(hybrid_clipping_3, 3, false, FOUR_WAY, false, 1, 1, 4,
+       "clip a band of degree 3 to the other's fat line")
+HYBRID(hybrid_clipping_1_arc, 1, true, LONGER_ARC, false, 1, 1, 2,
+       "degree 1, scalar delta, longer arc, oriented boxes")
+HYBRID(hybrid_clipping_2_arc, 2, true, LONGER_ARC, false, 1, 1, 3,
+       "degree 2, scalar delta, longer arc, oriented boxes")
+HYBRID(hybrid_clipping_3_arc, 3, true, LONGER_ARC, false, 1, 1, 4,
+       "degree 3, scalar delta, longer arc, oriented boxes")
+
+HYBRID(control_discard_and, 2, false, FOUR_WAY, true, 1, 1, 0,
+       "control: discards where both conditions fail, as printed")
+HYBRID(control_no_margin, 3, false, FOUR_WAY, false, 0, 1, 0, "control: bounds without their rounding")
+HYBRID(control_normal_not_unit, 2, false, FOUR_WAY, false, 1, 8, 0, "control: a normal of length 8")

@@ -1,0 +1,195 @@
+/* Everything that is the same for every algorithm: validation, scale, order, and the way back. */
+#include "bezier.h"
+#include "crossings.h"
+
+/* ---- is it a problem? ---- */
+
+static bool curve_is_valid(const struct curve *c)
+{
+    if (c->degree < 1 || c->degree > DEGREE_MAX) {
+        return false;
+    }
+    for (int i = 0; i <= c->degree; i++) {
+        if (!real_is_finite(c->x[i]) || !real_is_finite(c->y[i])) {
+            return false;
+        }
+        if (c->w && !(real_is_finite(c->w[i]) && c->w[i] > 0)) {
+            return false;
+        }
+    }
+    return real_is_finite(c->domain.lo) && real_is_finite(c->domain.hi) && c->domain.lo < c->domain.hi;
+}
+
+static bool problem_is_valid(const struct problem *p)
+{
+    return curve_is_valid(&p->f) && curve_is_valid(&p->g) && p->tolerance > 0 &&
+           real_is_finite(p->tolerance) && p->max_steps > 0;
+}
+
+/* ---- scale ---- */
+
+/* Largest |coordinate| of the Euclidean control points. */
+static real curve_extent(const struct curve *c)
+{
+    real extent = 0;
+    for (int i = 0; i <= c->degree; i++) {
+        real a = real_max(real_abs(c->x[i]), real_abs(c->y[i]));
+        extent = real_max(extent, c->w ? a / c->w[i] : a);
+    }
+    return extent;
+}
+
+/* The power of two that brings extent into [1, 2); bounded, so that it is finite for subnormal extents too.
+ */
+static real scale_factor(real extent)
+{
+    if (!(extent > 0)) {
+        return 1;
+    }
+    int e = 1 - real_exponent(extent);
+    return real_ldexp(1, e < 1000 ? e : 1000);
+}
+
+/* Copies c scaled by the exact power of two `factor`; weights are kept, so that x/w and y/w scale. */
+static real *curve_scale(const struct curve *c, real factor, real *to, struct curve *out)
+{
+    int length = c->degree + 1;
+    out->degree = c->degree;
+    out->domain.lo = 0;
+    out->domain.hi = 1;
+    for (int i = 0; i < length; i++) {
+        to[i] = c->x[i] * factor;
+        to[length + i] = c->y[i] * factor;
+    }
+    out->x = to;
+    out->y = to + length;
+    out->w = NULL;
+    to += 2 * length;
+    if (c->w) {
+        for (int i = 0; i < length; i++) {
+            to[i] = c->w[i];
+        }
+        out->w = to;
+        to += length;
+    }
+    return to;
+}
+
+/* The control points of a cell are cut from the originals with componentwise relative error 8n u and halved
+ * at most HALVINGS_MAX = 4 times, n u each (bernstein.h); a rational curve's homogeneous coordinates came
+ * rounded (u), and x and w both err against w > 0, whence the factor 2. */
+static real cell_error(const struct curve *c, real scale)
+{
+    real coefficient = (12 * c->degree + 1) * (REAL_EPSILON / 2);
+    return coefficient * scale * (c->w ? 2 : 1);
+}
+
+/* ---- order ---- */
+
+/* A total order of curves that no positive scaling changes: < 0, 0, > 0. */
+static int curve_compare(const struct curve *a, const struct curve *b)
+{
+    if (a->degree != b->degree) {
+        return a->degree - b->degree;
+    }
+    if (!a->w != !b->w) {
+        return a->w ? 1 : -1;
+    }
+    const real *ca[3] = {a->x, a->y, a->w}, *cb[3] = {b->x, b->y, b->w};
+    for (int k = 0; k < (a->w ? 3 : 2); k++) {
+        for (int i = 0; i <= a->degree; i++) {
+            if (ca[k][i] != cb[k][i]) {
+                return ca[k][i] < cb[k][i] ? -1 : 1;
+            }
+        }
+    }
+    return 0;
+}
+
+/* ---- the way back ---- */
+
+static void to_domain(const struct interval *domain, struct interval *t)
+{
+    real a = domain->lo, b = domain->hi;
+    if (a == 0 && b == 1) {
+        return;
+    }
+    real pad =
+        2 * REAL_EPSILON * real_max(real_abs(a), real_abs(b)); /* three roundings of at most 2 max each */
+    real lo = a + (b - a) * t->lo - pad, hi = a + (b - a) * t->hi + pad;
+    t->lo = t->lo == 0 ? a : real_max(a, lo);
+    t->hi = t->hi == 1 ? b : real_min(b, hi);
+}
+
+static void swap_intervals(struct interval *a, struct interval *b)
+{
+    struct interval c = *a;
+    *a = *b;
+    *b = c;
+}
+
+static void translate_back(const struct problem *p, bool swapped, real factor, struct crossings *out)
+{
+    for (int i = 0; i < out->count; i++) {
+        struct crossing *c = &out->at[i];
+        if (swapped) {
+            swap_intervals(&c->t, &c->s);
+        }
+        to_domain(&p->f.domain, &c->t);
+        to_domain(&p->g.domain, &c->s);
+    }
+    for (int i = 0; i < out->overlaps; i++) {
+        struct overlap *o = &out->overlap[i];
+        if (swapped) {
+            swap_intervals(&o->t_outer, &o->s_outer);
+            swap_intervals(&o->t_inner, &o->s_inner);
+        }
+        to_domain(&p->f.domain, &o->t_outer);
+        to_domain(&p->f.domain, &o->t_inner);
+        to_domain(&p->g.domain, &o->s_outer);
+        to_domain(&p->g.domain, &o->s_inner);
+        o->distance = o->distance / factor;
+    }
+    crossings_sort(out);
+}
+
+enum outcome problem_solve(const struct problem *p, const struct intersector *a, struct workspace *w,
+                           struct crossings *out)
+{
+    out->count = out->overlaps = 0;
+    out->merged = false;
+    w->used = w->steps = 0;
+    if (!problem_is_valid(p)) {
+        return INVALID;
+    }
+    real extent = real_max(curve_extent(&p->f), curve_extent(&p->g));
+    if (!real_is_finite(extent)) {
+        return INVALID;
+    }
+    real factor = scale_factor(extent);
+    struct problem q = *p;
+    bool swapped = curve_compare(&p->f, &p->g) > 0;
+    const struct curve *first = swapped ? &p->g : &p->f, *second = swapped ? &p->f : &p->g;
+    curve_scale(second, factor, curve_scale(first, factor, w->prepared, &q.f), &q.g);
+    q.bounds.scale = extent * factor;
+    q.bounds.f = cell_error(&q.f, q.bounds.scale);
+    q.bounds.g = cell_error(&q.g, q.bounds.scale);
+    const real narrowest = 4 * REAL_EPSILON;
+    q.bounds.tolerance_t = real_max(narrowest, p->tolerance / (first->domain.hi - first->domain.lo));
+    q.bounds.tolerance_s = real_max(narrowest, p->tolerance / (second->domain.hi - second->domain.lo));
+    enum outcome outcome = a->intersect(&q, w, out);
+    translate_back(p, swapped, factor, out);
+    return outcome == SOLVED && out->merged ? OUT_OF_ROOM : outcome;
+}
+
+const char *outcome_name(enum outcome o)
+{
+    static const char *const names[] = {"SOLVED", "OUT_OF_STEPS", "OUT_OF_ROOM", "UNSUPPORTED", "INVALID"};
+    return names[o];
+}
+
+const char *standing_name(enum standing s)
+{
+    static const char *const names[] = {"CANDIDATE", "UNIQUE", "END", "CLUSTER"};
+    return names[s];
+}
