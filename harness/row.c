@@ -72,12 +72,13 @@ static bool command_line(const char *directory, char *const argv[], char *line, 
     return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/* commit and whether anything differs from it, of the tree that holds this program. */
+/* commit and whether anything but results differs from it, of the tree that holds this program. */
 static void add_commit(json_t *object)
 {
     char directory[PATH_MAX] = "", commit[128], change[512];
     char *const head[] = {"git", "rev-parse", "HEAD", NULL};
-    char *const changes[] = {"git", "--no-optional-locks", "status", "--porcelain", NULL};
+    char *const changes[] = {"git", "--no-optional-locks",   "status", "--porcelain", "--",
+                             ":/",  ":(top,exclude)results", NULL};
     ssize_t n = readlink("/proc/self/exe", directory, sizeof directory - 1);
     directory[n > 0 ? n : 0] = 0;
     char *end = strrchr(directory, '/');
