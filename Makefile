@@ -22,7 +22,7 @@ PRECISIONS = double quad multi
 # ---- what is built from what ---------------------------------------------------------------------------------
 
 COMMON_MODULES = case case_fields case_expected number random row exact referee $(COMMON_EXTRA)
-REAL_MODULES   = real_text problem answer judge algorithms_named external clock case_set timing timing_rows time_options
+REAL_MODULES   = real_text problem answer judge algorithms_named external solve_options answer_table clock case_set timing timing_rows time_options
 COMMON_EXTRA   = progress statistics
 
 ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c)
@@ -96,7 +96,7 @@ programs = build/fatline $(PROGRAMS_ONCE:%=build/double/fatline-%) \
 # ---- tests ---------------------------------------------------------------------------------------------------
 
 # tests/test_X.c is built for each precision, those named here in double only.
-TESTS_ONCE = test_statistics
+TESTS_ONCE = test_statistics test_statistics test_clock
 TESTS = $(patsubst tests/%.c,%,$(wildcard tests/test_*.c))
 tests_double = $(TESTS:%=build/double/tests/%)
 tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-out $(TESTS_ONCE),$(TESTS))))

@@ -34,4 +34,7 @@ const char *external_ask(struct external *e, const char *id, const char *case_li
 /* Closes its input, waits up to a second, then kills it. */
 void external_stop(struct external *e);
 
+/* For a signal handler: whoever waits for an answer stops waiting, and every later question is refused. */
+void external_interrupt(void);
+
 #endif

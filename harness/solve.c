@@ -1,0 +1,248 @@
+/* fatline solve: one line for each case and algorithm. */
+#include <errno.h>
+#include <fnmatch.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <argp.h>
+
+#include "answer.h"
+#include "answer_table.h"
+#include "case.h"
+#include "external.h"
+#include "problem.h"
+#include "progress.h"
+#include "solve_options.h"
+
+enum { OK = 0, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
+
+struct solver {
+    const struct solve_options *options;
+    FILE *out;
+    bool human, flush; /* flush: somebody may be waiting for each line */
+    struct workspace workspace;
+    int n, m; /* the workspace takes curves of these degrees; 0: there is none */
+    struct crossings *crossings;
+    struct external external;
+};
+
+static volatile sig_atomic_t interrupted;
+
+static void interrupt(int signal_number)
+{
+    (void)signal_number;
+    interrupted = 1;
+    external_interrupt();
+}
+
+/* The second signal ends the program at once. */
+static void watch_signals(void)
+{
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = interrupt;
+    action.sa_flags = SA_RESETHAND;
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+static void write_answer(struct solver *s, const struct answer *a, const struct problem *p,
+                         const char *message)
+{
+    json_t *extra = message ? json_pack("{s:s}", "message", message) : NULL;
+    if (s->human)
+        answer_table_write(s->out, a, p, message);
+    else
+        answer_write(s->out, a, extra);
+    json_decref(extra);
+    if (s->flush)
+        fflush(s->out);
+}
+
+static void fit_workspace(struct solver *s, int n, int m)
+{
+    if (n <= s->n && m <= s->m)
+        return;
+    if (s->n > 0)
+        workspace_clear(&s->workspace);
+    s->n = n > s->n ? n : s->n;
+    s->m = m > s->m ? m : s->m;
+    workspace_make(&s->workspace, s->options->algorithms.at, s->n, s->m, s->options->room);
+}
+
+static void solve_by(struct solver *s, const struct test_case *c, const struct problem *p,
+                     const struct intersector *algorithm)
+{
+    struct answer a = {c->id, algorithm->name,        s->options->tolerance, INVALID,
+                       0,     algorithm->points_only, s->crossings};
+    fit_workspace(s, p->f.degree, p->g.degree);
+    a.outcome = problem_solve(p, algorithm, &s->workspace, s->crossings);
+    a.steps = s->workspace.steps;
+    write_answer(s, &a, p, NULL);
+}
+
+static void solve_outside(struct solver *s, const struct test_case *c, const struct problem *p)
+{
+    struct answer a = {c->id, NULL, s->options->tolerance, INVALID, 0, false, s->crossings};
+    char *line = json_dumps(c->line, JSON_COMPACT);
+    const char *message = external_ask(&s->external, c->id, line ? line : "", &a);
+    free(line);
+    if (message && !interrupted)
+        progress_note("%s: %s", c->id, message);
+    if (!interrupted)
+        write_answer(s, &a, p, message);
+}
+
+/* All algorithms on one case. */
+static int solve_case(struct solver *s, const struct test_case *c)
+{
+    const struct solve_options *o = s->options;
+    struct owned_problem owned;
+    if (o->id && fnmatch(o->id, c->id, 0))
+        return OK;
+    const char *why_not = owned_problem_make(c, o->tolerance, o->max_steps, &owned);
+    if (why_not) {
+        progress_note("%s:%d: %s", c->file, c->line_number, why_not);
+        return BAD_DATA;
+    }
+    for (int i = 0; i < o->algorithms.count && !interrupted; i++)
+        solve_by(s, c, &owned.problem, o->algorithms.at[i]);
+    if (o->external && !interrupted)
+        solve_outside(s, c, &owned.problem);
+    owned_problem_clear(&owned);
+    progress_step();
+    return OK;
+}
+
+static int solve_stream(struct solver *s, FILE *stream, const char *name)
+{
+    struct case_reader reader;
+    int worst = OK;
+    bool more = true;
+    case_reader_init(&reader, stream, name);
+    while (more && !interrupted) {
+        struct test_case c;
+        enum case_status status = case_read(&reader, &c);
+        int result = OK;
+        if (status == CASE_END || interrupted)
+            more = false;
+        else if (status == CASE_BAD)
+            progress_note("%s", reader.error);
+        if (status == CASE_READ) {
+            result = solve_case(s, &c);
+            case_clear(&c);
+        }
+        if ((status == CASE_BAD && !interrupted) || result != OK) {
+            worst = BAD_DATA;
+            more = more && s->options->keep_going;
+        }
+    }
+    case_reader_clear(&reader);
+    return worst;
+}
+
+static int solve_file(struct solver *s, const char *path)
+{
+    if (!strcmp(path, "-"))
+        return solve_stream(s, stdin, "stdin");
+    FILE *stream = fopen(path, "r");
+    if (!stream) {
+        progress_note("%s: %s", path, strerror(errno));
+        return FAILED;
+    }
+    int result = solve_stream(s, stream, path);
+    fclose(stream);
+    return result;
+}
+
+static int solve_own(struct solver *s)
+{
+    struct test_case c;
+    char error[512];
+    if (case_parse(s->options->own_line, "command line", 1, &c, error) != CASE_READ) {
+        progress_note("%s", error);
+        return BAD_DATA;
+    }
+    int result = solve_case(s, &c);
+    case_clear(&c);
+    return result;
+}
+
+static int solve_all(struct solver *s)
+{
+    static char standard_input[] = "-";
+    static char *const no_files[] = {standard_input};
+    const struct solve_options *o = s->options;
+    char *const *files = o->file_count ? o->files : no_files;
+    int worst = OK;
+    if (o->own_line)
+        return solve_own(s);
+    for (int i = 0; i < (o->file_count ? o->file_count : 1) && !interrupted; i++) {
+        int result = solve_file(s, files[i]);
+        if (result != OK)
+            worst = worst == FAILED ? FAILED : result;
+        if (result != OK && !o->keep_going)
+            break;
+    }
+    return worst;
+}
+
+/* Opens what is written to and read from; 0 or an exit status. */
+static int open_all(struct solver *s, const struct solve_options *o)
+{
+    struct stat out;
+    s->options = o;
+    s->crossings = (struct crossings *)malloc(sizeof *s->crossings);
+    s->out = o->output ? fopen(o->output, "w") : stdout;
+    if (!s->crossings || !s->out) {
+        fprintf(stderr, "%s: %s\n", o->output ? o->output : "fatline solve", strerror(errno));
+        return FAILED;
+    }
+    s->flush = fstat(fileno(s->out), &out) || !S_ISREG(out.st_mode);
+    s->human = o->human || (o->own_line && isatty(fileno(s->out)));
+    const char *error =
+        o->external ? external_start(&s->external, o->external, o->timeout, o->tolerance) : NULL;
+    if (error)
+        fprintf(stderr, "%s\n", error);
+    return error ? FAILED : OK;
+}
+
+static int close_all(struct solver *s)
+{
+    bool bad = ferror(s->out) || fflush(s->out);
+    if (s->out != stdout)
+        bad = fclose(s->out) || bad;
+    if (bad)
+        fprintf(stderr, "%s: cannot be written\n",
+                s->options->output ? s->options->output : "standard output");
+    if (s->options->external)
+        external_stop(&s->external);
+    if (s->n > 0)
+        workspace_clear(&s->workspace);
+    free(s->crossings);
+    return bad ? FAILED : OK;
+}
+
+const char *argp_program_version = "fatline 0.1";
+
+int main(int argc, char **argv)
+{
+    struct solve_options options;
+    static struct solver s;
+    solve_options_read(argc, argv, &options);
+    int result = open_all(&s, &options);
+    if (result != OK)
+        return result;
+    watch_signals();
+    progress_set_quiet(options.quiet || options.own_line || isatty(fileno(s.out)));
+    progress_begin("solve", 0);
+    result = solve_all(&s);
+    progress_end();
+    int closed = close_all(&s);
+    solve_options_clear(&options);
+    return interrupted ? INTERRUPTED : closed != OK ? closed : result;
+}
