@@ -14,7 +14,8 @@
 
 #elif defined(FATLINE_QUAD)
 
-/* Only + - * / and comparison are compiled in; the four functions below come from libquadmath. */
+/* Only + - * / and comparison are compiled in.  The square root is glibc's, which is rounded to nearest;
+ * libquadmath's is off by one in the last place for one number in four. */
 #include <quadmath.h>
 #include <float.h>
 typedef __float128 real;
@@ -25,7 +26,7 @@ typedef __float128 real;
 
 static inline real real_sqrt(real a)
 {
-    return sqrtq(a);
+    return __builtin_sqrtf128(a);
 }
 static inline real real_ldexp(real a, int e)
 {
