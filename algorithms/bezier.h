@@ -126,6 +126,7 @@ struct intersector {
     enum outcome (*intersect)(const struct problem *p, struct workspace *w, struct crossings *out);
     size_t (*scratch)(int n, int m); /* numbers of scratch memory needed; NULL: none */
     bool points_only; /* answers are points with a guessed width, without a proof that none is missing */
+    bool allocates;   /* in a call: allowed in peers/ only */
 };
 
 /* The registry: NULL-terminated, in the order of list.h.  controls[] are deliberate mistakes, found by
