@@ -33,6 +33,14 @@ def signed_distances(points, line):
     return (points - line[0]) @ normal, normal
 
 
+def fat_line(points):
+    """Bounds of the cubic's distances from its chord: 3/4 or 4/9 of those of the inner control points
+    (Sederberg and Nishita 1990), and the chord's normal."""
+    (_, one, two, _), normal = signed_distances(points, points)
+    factor = 3 / 4 if one * two > 0 else 4 / 9
+    return factor * min(0, one, two), factor * max(0, one, two), normal
+
+
 def hull_meet(polygon, lo, hi):
     """Where the convex polygon (ordered) meets the strip lo <= y <= hi: the range of x."""
     found = [p[0] for p in polygon if lo <= p[1] <= hi]
@@ -85,9 +93,8 @@ def draw_distance(axes, distances, lo, hi, clip):
 
 
 def draw_clip():
-    own, normal = signed_distances(G, G)
+    lo, hi, normal = fat_line(G)
     distances, _ = signed_distances(F, G)
-    lo, hi = own.min(), own.max()
     polygon = np.column_stack([np.linspace(0, 1, len(distances)), distances])
     clip = hull_meet(polygon[ConvexHull(polygon).vertices], lo, hi)
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.4), gridspec_kw={"width_ratios": [1.25, 1]})
