@@ -10,7 +10,7 @@
 
 #include "anchored.h"
 #include "case_fields.h"
-#include "exact_pair.h"
+#include "referee_pair.h"
 #include "referee_truth.h"
 
 enum {
@@ -143,15 +143,15 @@ static const char *find_roots(struct search *q)
 
 const char *referee_solve(struct test_case *c)
 {
-    struct exact_pair exact;
+    struct referee_pair exact;
     struct search q;
     const char *why;
 
     if (c->f.degree < 1 || c->g.degree < 1 || c->f.degree > QUAD_DEGREE_MAX || c->g.degree > QUAD_DEGREE_MAX)
         return "degree beyond 1 to 32";
     memset(&q, 0, sizeof q);
-    exact_pair_make(c, &exact);
-    exact_pair_round(&exact, &q.pair);
+    referee_pair_make(c, &exact);
+    referee_pair_round(&exact, &q.pair);
     q.room = 2 * c->f.degree * c->g.degree; /* the bidegrees' bound on isolated zeros of H */
     q.root = memory_new((size_t)q.room, sizeof *q.root);
     q.stack = memory_new(STACK, sizeof *q.stack);
@@ -160,6 +160,6 @@ const char *referee_solve(struct test_case *c)
         why = referee_truth(c, &exact, q.root, q.roots);
     free(q.stack);
     free(q.root);
-    exact_pair_clear(&exact);
+    referee_pair_clear(&exact);
     return why;
 }

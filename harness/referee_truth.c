@@ -6,12 +6,12 @@
 
 #include "case_fields.h"
 #include "number.h"
-#include "root_place.h"
+#include "referee_place.h"
 
 /* sin: of the angle of the tangents.  cond: the largest row norm of the inverse of (f', -g'), with respect to
  * the parameters of the domains, times the pair's largest |coordinate|: what a relative change of the
  * coordinates grows into. */
-static void condition(const struct test_case *c, const struct exact_pair *p, const struct quad_root *root,
+static void condition(const struct test_case *c, const struct referee_pair *p, const struct quad_root *root,
                       struct case_solution *a)
 {
     const double *f = root->tangent[0], *g = root->tangent[1];
@@ -109,7 +109,7 @@ static void install(struct test_case *c, struct case_expected *e)
     }
 }
 
-const char *referee_truth(struct test_case *c, const struct exact_pair *p, const struct quad_root *root,
+const char *referee_truth(struct test_case *c, const struct referee_pair *p, const struct quad_root *root,
                           int roots)
 {
     struct case_expected e = {.tol = NAN};
@@ -119,7 +119,7 @@ const char *referee_truth(struct test_case *c, const struct exact_pair *p, const
     for (int i = 0; i < roots && !why; i++) {
         struct case_solution *a = &e.at[e.count];
         mpq_inits(a->t, a->s, NULL);
-        switch (root_place(p, &root[i], a)) {
+        switch (referee_place(p, &root[i], a)) {
         case INSIDE:
             a->multiplicity = 1;
             condition(c, p, &root[i], a);

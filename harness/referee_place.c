@@ -1,4 +1,4 @@
-#include "root_place.h"
+#include "referee_place.h"
 
 #include <math.h>
 
@@ -10,7 +10,7 @@ enum { POLISH_BITS = 384 };
  * -------------------------------------------------------------- */
 
 /* Error below 2^-(POLISH_BITS - 16): n stages of mpf, |coefficients| <= 1, |1 - t| + |t| <= 33/32. */
-static void value_polished(const struct exact_curve *c, const mpf_t t, mpf_t out[3])
+static void value_polished(const struct referee_curve *c, const mpf_t t, mpf_t out[3])
 {
     int n = c->degree;
     mpf_t b[QUAD_DEGREE_MAX + 1], u, d;
@@ -36,7 +36,7 @@ static void value_polished(const struct exact_curve *c, const mpf_t t, mpf_t out
 }
 
 /* H rounded to double; for polynomial pairs the weights are 1. */
-static void system_polished(const struct exact_pair *p, mpf_t z[2], double h[2])
+static void system_polished(const struct referee_pair *p, mpf_t z[2], double h[2])
 {
     mpf_t f[3], g[3], d;
     mpf_init2(d, POLISH_BITS);
@@ -57,7 +57,7 @@ static void system_polished(const struct exact_pair *p, mpf_t z[2], double h[2])
     mpf_clear(d);
 }
 
-static void value_exact(const struct exact_curve *c, const mpq_t t, mpq_t out[3])
+static void value_exact(const struct referee_curve *c, const mpq_t t, mpq_t out[3])
 {
     int n = c->degree;
     mpq_t *b = rationals_new(n + 1), u, d;
@@ -79,7 +79,7 @@ static void value_exact(const struct exact_curve *c, const mpq_t t, mpq_t out[3]
     mpq_clears(u, d, NULL);
 }
 
-static bool is_zero(const struct exact_pair *p, const mpq_t t, const mpq_t s)
+static bool is_zero(const struct referee_pair *p, const mpq_t t, const mpq_t s)
 {
     mpq_t f[3], g[3];
     bool zero = true;
@@ -103,7 +103,7 @@ static bool is_zero(const struct exact_pair *p, const mpq_t t, const mpq_t s)
 /* Simplified Newton's method with the inverse in doubles gains 50 bits a step; the distance to the root is
  * bounded by the contraction proved (krawczyk.h).  Returns false if the bound is not below 10^-40 in both
  * parameters. */
-static bool polish(const struct exact_pair *p, const struct quad_root *root, mpq_t z[2], mpq_t radius[2])
+static bool polish(const struct referee_pair *p, const struct quad_root *root, mpq_t z[2], mpq_t radius[2])
 {
     mpf_t x[2];
     double h[2], most = 0, moved = 0;
@@ -188,7 +188,7 @@ static enum place place_of(const mpq_t z, const mpq_t radius, mpq_t end)
 }
 
 /* A zero of H within the radius of z lies in the domain of the proof, so it is the root itself. */
-enum place root_place(const struct exact_pair *p, const struct quad_root *root, struct case_solution *a)
+enum place referee_place(const struct referee_pair *p, const struct quad_root *root, struct case_solution *a)
 {
     enum { GUESS_BITS = 90 };
     mpq_t z[2], radius[2], guess[2];

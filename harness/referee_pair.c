@@ -1,4 +1,4 @@
-#include "exact_pair.h"
+#include "referee_pair.h"
 
 #include <math.h>
 #include <quadmath.h>
@@ -40,7 +40,7 @@ static double largest_coordinate(const struct case_curve *c, double most)
 }
 
 /* Euclidean coordinates into x and y, moved. */
-static void translate(const struct case_curve *c, const struct case_curve *origin, struct exact_curve *e)
+static void translate(const struct case_curve *c, const struct case_curve *origin, struct referee_curve *e)
 {
     int length = c->degree + 1;
     e->degree = c->degree;
@@ -53,7 +53,7 @@ static void translate(const struct case_curve *c, const struct case_curve *origi
 }
 
 /* Scaled by 2^-most; weights by a power of two of their own, then multiplied in. */
-static void homogenise(const struct case_curve *c, long most, struct exact_curve *e)
+static void homogenise(const struct case_curve *c, long most, struct referee_curve *e)
 {
     int length = c->degree + 1;
     long heavy = c->rational ? largest_exponent((const mpq_t *)c->w, length, -1000000) : 0;
@@ -69,7 +69,7 @@ static void homogenise(const struct case_curve *c, long most, struct exact_curve
     }
 }
 
-void exact_pair_make(const struct test_case *c, struct exact_pair *p)
+void referee_pair_make(const struct test_case *c, struct referee_pair *p)
 {
     p->rational = c->f.rational || c->g.rational;
     translate(&c->f, &c->f, &p->f);
@@ -84,7 +84,7 @@ void exact_pair_make(const struct test_case *c, struct exact_pair *p)
     p->unit = ldexp(1, (int)most);
 }
 
-void exact_pair_clear(struct exact_pair *p)
+void referee_pair_clear(struct referee_pair *p)
 {
     rationals_free(p->f.at, 3 * (p->f.degree + 1));
     rationals_free(p->g.at, 3 * (p->g.degree + 1));
@@ -124,7 +124,7 @@ void rational_from_quad(mpq_t a, quad q)
     scale(a, q == 0 ? 0 : e - 113);
 }
 
-static void round_curve(const struct exact_curve *e, struct quad_curve *c)
+static void round_curve(const struct referee_curve *e, struct quad_curve *c)
 {
     int length = e->degree + 1;
     mpz_t z;
@@ -136,7 +136,7 @@ static void round_curve(const struct exact_curve *e, struct quad_curve *c)
     mpz_clear(z);
 }
 
-void exact_pair_round(const struct exact_pair *p, struct quad_pair *q)
+void referee_pair_round(const struct referee_pair *p, struct quad_pair *q)
 {
     q->rational = p->rational;
     round_curve(&p->f, &q->f);
