@@ -87,6 +87,10 @@ $(common_library): $(common_objects)
 $(PROGRAMS_ONCE:%=build/double/fatline-%): build/double/fatline-%: build/common/harness/%.o $(GENERATE_OBJECTS) $(common_library)
 	@mkdir -p $(@D)
 	$(CC) -o $@ $^ $(FREETYPE_LIBS) $(LIBS)
+# Measures beside lib2geom where lib2geom-dev is installed: see scripts/against_lib2geom.
+build/double/against_lib2geom: scripts/against_lib2geom.cc build/double/libharness.a build/double/libalgorithms.a
+	$(CXX) -std=c++17 $(OPT) $(FP) $(WARN) $(patsubst -I%,-isystem %,$(shell pkg-config --cflags 2geom)) \
+	    -o $@ $^ $(shell pkg-config --libs 2geom) $(LIBS_double) $(LIBS)
 build/fatline: build/common/harness/fatline.o
 	$(CC) -o $@ $^
 
