@@ -27,6 +27,7 @@ static const char documentation[] =
     "slowest single pair, worst_id. External programs are timed in wall-clock time around their pipe, one "
     "line "
     "after the other (protocol \"pipe\"); no ratio is taken between the two protocols.\n\n"
+    "The branch predictor learns a set of few pairs by heart: compare times of sets of similar size.\n\n"
     "Rows are JSON, one a line, after one line on the circumstances; on a terminal, or with --human, a "
     "table. "
     "Exit status: 0, 1 if nothing could be timed, 2 on an input or output error, 64 on wrong usage, 65 on "

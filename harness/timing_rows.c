@@ -11,7 +11,7 @@
 static const double level = 0.95;
 
 struct ratio {
-    bool known;
+    bool asked, known;
     double median;
     struct range range;
 };
@@ -20,7 +20,7 @@ struct ratio {
 static struct ratio find_ratio(const struct contender *contender, const struct timing *timing, int k,
                                int baseline, uint64_t seed)
 {
-    struct ratio ratio = {false, 0, {0, 0}};
+    struct ratio ratio = {baseline >= 0, false, 0, {0, 0}};
     const struct clock_samples *a, *b;
     double *q;
 
@@ -136,7 +136,7 @@ static void write_table_line(FILE *stream, const struct contender *contender, co
 {
     int n = t->samples.count;
     struct range range;
-    char median[16], lo[16], hi[16], slowest[16];
+    char median[16], lo[16], hi[16], slowest[16], compared[80] = "";
 
     fprintf(stream, "%-24s ", contender->name);
     if (!t->pairs) {
@@ -150,7 +150,10 @@ static void write_table_line(FILE *stream, const struct contender *contender, co
             100 * statistics_mad(n, t->samples.ns) / statistics_median(n, t->samples.ns), t->steps,
             time_text(t->ns_max, slowest));
     if (ratio->known)
-        fprintf(stream, "  %7.3f [%.3f, %.3f]", ratio->median, ratio->range.lo, ratio->range.hi);
+        snprintf(compared, sizeof compared, "%7.3f [%.3f, %.3f]", ratio->median, ratio->range.lo,
+                 ratio->range.hi);
+    if (ratio->asked)
+        fprintf(stream, "  %-28s", compared);
     fprintf(stream, "  %s%s\n", t->worst_id, contender->algorithm ? "" : " (over a pipe)");
 }
 
@@ -173,7 +176,7 @@ void timing_table_write(FILE *stream, const char *family, int pairs, int left_ou
     fprintf(stream, "\n%-24s %11s  %26s %7s %9s %11s", "algorithm", "median", "95% interval      ", "MAD",
             "steps", "slowest");
     if (baseline >= 0)
-        fprintf(stream, "  ratio to %s", contender[baseline].name);
+        fprintf(stream, "  ratio to %-19s", contender[baseline].name);
     fprintf(stream, "  slowest pair\n");
     for (int k = 0; k < n; k++) {
         struct ratio ratio = find_ratio(contender, timing, k, baseline, plan->clock.seed);

@@ -151,7 +151,7 @@ bool compare(const char *path, pairs &p)
     clock_task task[OURS + 1];
     clock_samples samples[OURS + 1];
     clock_plan plan = {101, 20, 2e6, seed};
-    double hi, first;
+    double hi, first = INFINITY;
 
     for (int k = 0; k < OURS; k++) {
         mine[k].p = &p;
