@@ -50,11 +50,12 @@ static void point(const struct curve *f, real t, real *x, real *y)
 
 static void write_crossing(FILE *stream, const struct crossing *c, const struct curve *f, int width)
 {
-    char t[TEXT], s[TEXT];
+    char t[TEXT], s[TEXT], wide[TEXT];
     real x, y;
     int digits = digits_told(c);
     decimal_text(middle(c->t), digits, t);
     decimal_text(middle(c->s), digits, s);
+    decimal_text(real_max(c->t.hi - c->t.lo, c->s.hi - c->s.lo), 2, wide);
     point(f, middle(c->t), &x, &y);
     fprintf(stream, "  %-*s %-*s (%.10g, %.10g)  %s", width, t, width, s, real_to_double(x),
             real_to_double(y), standing_name(c->standing));
@@ -62,7 +63,7 @@ static void write_crossing(FILE *stream, const struct crossing *c, const struct 
         fprintf(stream, ", multiplicity %d", c->multiplicity);
     if (c->at_most > 0)
         fprintf(stream, ", at most %d", c->at_most);
-    fprintf(stream, ", width %.1e\n", real_to_double(real_max(c->t.hi - c->t.lo, c->s.hi - c->s.lo)));
+    fprintf(stream, ", width %s\n", wide);
 }
 
 static void write_overlap(FILE *stream, const struct overlap *o)
@@ -76,12 +77,14 @@ static void write_overlap(FILE *stream, const struct overlap *o)
 void answer_table_write(FILE *stream, const struct answer *a, const struct problem *p, const char *message)
 {
     const struct crossings *out = a->crossings;
+    char tolerance[TEXT];
     int width = 8;
+    decimal_text(a->tolerance, 3, tolerance);
     for (int i = 0; i < out->count; i++)
         width = digits_told(&out->at[i]) + 8 > width ? digits_told(&out->at[i]) + 8 : width;
-    fprintf(stream, "%s: %s, %s, tolerance %.3g: %s after %ld step%s%s%s\n", a->id, a->algorithm, REAL_NAME,
-            real_to_double(a->tolerance), outcome_name(a->outcome), a->steps, a->steps == 1 ? "" : "s",
-            message ? ": " : "", message ? message : "");
+    fprintf(stream, "%s: %s, %s, tolerance %s: %s after %ld step%s%s%s\n", a->id, a->algorithm, REAL_NAME,
+            tolerance, outcome_name(a->outcome), a->steps, a->steps == 1 ? "" : "s", message ? ": " : "",
+            message ? message : "");
     if (out->count > 0)
         fprintf(stream, "  %-*s %-*s point\n", width, "t (on f)", width, "s (on g)");
     for (int i = 0; i < out->count; i++)

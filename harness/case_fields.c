@@ -88,7 +88,8 @@ bool fields_array(const struct fields *r, const char *field, const json_t *v, in
     if (!json_is_array(v))
         return fields_complain(r, field, "%s, expected an array", fields_type(v));
     if (length >= 0 && json_array_size(v) != (size_t)length)
-        return fields_complain(r, field, "%zu entries, expected %d", json_array_size(v), length);
+        return fields_complain(r, field, "%zu entr%s, expected %d", json_array_size(v),
+                               json_array_size(v) == 1 ? "y" : "ies", length);
     return true;
 }
 

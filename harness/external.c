@@ -15,7 +15,7 @@
 
 #include "number.h"
 
-enum { LINE_MAX_BYTES = 1 << 26 };
+enum { LINE_BYTES_MAX = 1 << 24 };
 static const double exit_grace = 1, status_grace = 0.2; /* seconds */
 
 static volatile sig_atomic_t interrupted;
@@ -118,15 +118,19 @@ static int finish(struct external *e, double grace)
 
 static const char *died(struct external *e)
 {
+    bool overlong = e->used + 4096 > LINE_BYTES_MAX;
     int status = finish(e, status_grace);
     if (status != -1 && WIFSIGNALED(status))
         return complain(e, "killed by signal %d (%s) before it answered", WTERMSIG(status),
                         strsignal(WTERMSIG(status)));
+    if (status != -1 && WEXITSTATUS(status) > 128)
+        return complain(e, "ended with status %d (%s) before it answered", WEXITSTATUS(status),
+                        strsignal(WEXITSTATUS(status) - 128));
     if (status != -1 && WEXITSTATUS(status) == 127)
         return complain(e, "ended with status 127: command not found");
     if (status != -1)
         return complain(e, "ended with status %d before it answered", WEXITSTATUS(status));
-    return complain(e, "closed its output before it answered");
+    return complain(e, overlong ? "a line without an end" : "closed its output before it answered");
 }
 
 enum transfer { MORE, NO_MORE };
@@ -143,7 +147,7 @@ static enum transfer receive_some(struct external *e)
 {
     if (e->used + 4096 > e->size) {
         size_t size = e->size ? 2 * e->size : 1 << 16;
-        char *buffer = size <= LINE_MAX_BYTES ? (char *)realloc(e->buffer, size) : NULL;
+        char *buffer = size <= LINE_BYTES_MAX ? (char *)realloc(e->buffer, size) : NULL;
         if (!buffer)
             return NO_MORE;
         e->buffer = buffer;
@@ -227,8 +231,9 @@ const char *external_ask(struct external *e, const char *id, const char *case_li
         a->steps = 0;
         a->crossings->count = a->crossings->overlaps = 0;
         snprintf(e->id, sizeof e->id, "%s", id);
-        real_parse(e->tolerance, &a->tolerance);
     }
+    if (error || !(a->tolerance > 0))
+        real_parse(e->tolerance, &a->tolerance);
     a->id = e->id;
     a->algorithm = e->name;
     return error;
@@ -244,11 +249,24 @@ static void name_from(const char *command, char *name, size_t size)
     snprintf(name, size, "%.*s", (int)(end - start), start);
 }
 
+/* A simple command takes the shell's place, so that its end is seen as it is. */
+static char *shell_text(const char *command)
+{
+    size_t size = strlen(command) + sizeof "exec ";
+    char *text = (char *)malloc(size);
+    const char *start = command + strspn(command, " \t");
+    size_t word = strcspn(start, " \t");
+    bool simple = word > 0 && !memchr(start, '=', word) && !strpbrk(command, ";|&<>(){}`\n");
+    if (text)
+        snprintf(text, size, "%s%s", simple ? "exec " : "", command);
+    return text;
+}
+
 const char *external_start(struct external *e, const char *command, double timeout, real tolerance)
 {
     memset(e, 0, sizeof *e);
     name_from(command, e->name, sizeof e->name);
-    e->command = strdup(command);
+    e->command = shell_text(command);
     if (!e->command)
         return complain(e, "out of memory");
     e->timeout = timeout;
