@@ -213,6 +213,7 @@ static void test_constants(void **state)
     assert_false(real_is_finite(infinite) || real_is_finite(-infinite) || real_is_finite(nan));
     assert_true(REAL_HUGE > 1e300 && infinite > REAL_HUGE && -infinite < 0);
     assert_false(nan == nan || nan < 0 || nan > 0 || nan <= 0 || 0 >= nan || nan < infinite);
+    assert_false(nan <= zero || zero >= nan || nan <= nan || nan > zero || nan == zero);
     assert_true(nan != nan && nan != 0 && zero == -zero && 1 / infinite == 0);
     assert_false(real_is_finite(1 / zero) || real_is_finite(real_sqrt(-1)));
     assert_true(table[0] == table[2] && real_abs(3 * table[1] - 1) <= REAL_EPSILON);
