@@ -108,6 +108,11 @@ struct workspace {
     real *prepared; /* scaled copies of both curves */
     real *scratch;  /* intersector.scratch(n, m) numbers, for algorithms that ask for them */
     size_t scratch_length;
+    /* What scratch holds: true if the last solve was by the same algorithm for the same degrees, so that tables
+     * which depend on nothing else need not be made again. */
+    bool planned;
+    const struct intersector *plan;
+    int plan_n, plan_m;
     void (*watch)(void *log, enum event, const struct cell *); /* called in the watched build only */
     void *log;
 };

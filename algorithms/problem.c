@@ -4,40 +4,31 @@
 
 /* ---- is it a problem? ---- */
 
-static bool curve_is_valid(const struct curve *c)
+/* Degree, domain, finite coordinates and positive weights; *extent grows to the largest |coordinate| of the
+ * Euclidean control points.  a - a is 0 for finite a and NaN for every other. */
+static bool curve_measure(const struct curve *c, real *extent)
 {
-    if (c->degree < 1 || c->degree > DEGREE_MAX) {
+    if (c->degree < 1 || c->degree > DEGREE_MAX || !(c->domain.lo < c->domain.hi)) {
         return false;
     }
+    real rest = (c->domain.lo - c->domain.lo) + (c->domain.hi - c->domain.hi), most = *extent;
     for (int i = 0; i <= c->degree; i++) {
-        if (!real_is_finite(c->x[i]) || !real_is_finite(c->y[i])) {
-            return false;
+        real a = real_max(real_abs(c->x[i]), real_abs(c->y[i]));
+        rest += (c->x[i] - c->x[i]) + (c->y[i] - c->y[i]);
+        if (c->w) {
+            rest += c->w[i] - c->w[i];
+            if (!(c->w[i] > 0)) {
+                return false;
+            }
+            a = a / c->w[i];
         }
-        if (c->w && !(real_is_finite(c->w[i]) && c->w[i] > 0)) {
-            return false;
-        }
+        most = real_max(most, a);
     }
-    return real_is_finite(c->domain.lo) && real_is_finite(c->domain.hi) && c->domain.lo < c->domain.hi;
-}
-
-static bool problem_is_valid(const struct problem *p)
-{
-    return curve_is_valid(&p->f) && curve_is_valid(&p->g) && p->tolerance > 0 &&
-           real_is_finite(p->tolerance) && p->max_steps > 0;
+    *extent = most;
+    return rest == 0 && real_is_finite(most);
 }
 
 /* ---- scale ---- */
-
-/* Largest |coordinate| of the Euclidean control points. */
-static real curve_extent(const struct curve *c)
-{
-    real extent = 0;
-    for (int i = 0; i <= c->degree; i++) {
-        real a = real_max(real_abs(c->x[i]), real_abs(c->y[i]));
-        extent = real_max(extent, c->w ? a / c->w[i] : a);
-    }
-    return extent;
-}
 
 /* The power of two that brings extent into [1, 2); bounded, so that it is finite for subnormal extents too.
  */
@@ -159,11 +150,9 @@ enum outcome problem_solve(const struct problem *p, const struct intersector *a,
     out->count = out->overlaps = 0;
     out->merged = false;
     w->used = w->steps = 0;
-    if (!problem_is_valid(p)) {
-        return INVALID;
-    }
-    real extent = real_max(curve_extent(&p->f), curve_extent(&p->g));
-    if (!real_is_finite(extent)) {
+    real extent = 0;
+    if (!(p->tolerance > 0) || !real_is_finite(p->tolerance) || p->max_steps <= 0 ||
+        !curve_measure(&p->f, &extent) || !curve_measure(&p->g, &extent)) {
         return INVALID;
     }
     real factor = scale_factor(extent);
@@ -177,6 +166,10 @@ enum outcome problem_solve(const struct problem *p, const struct intersector *a,
     const real narrowest = 4 * REAL_EPSILON;
     q.bounds.tolerance_t = real_max(narrowest, p->tolerance / (first->domain.hi - first->domain.lo));
     q.bounds.tolerance_s = real_max(narrowest, p->tolerance / (second->domain.hi - second->domain.lo));
+    w->planned = w->plan == a && w->plan_n == q.f.degree && w->plan_m == q.g.degree;
+    w->plan = a;
+    w->plan_n = q.f.degree;
+    w->plan_m = q.g.degree;
     enum outcome outcome = a->intersect(&q, w, out);
     translate_back(p, swapped, factor, out);
     return outcome == SOLVED && out->merged ? OUT_OF_ROOM : outcome;

@@ -29,6 +29,9 @@ void workspace_init(struct workspace *w, void *memory, int n, int m, int room, s
     w->prepared = w->pool + pool_length(n, m, room);
     w->scratch = w->prepared + COMPONENTS * (n + m + 2);
     w->scratch_length = scratch;
+    w->planned = false;
+    w->plan = NULL;
+    w->plan_n = w->plan_m = 0;
     w->watch = NULL;
     w->log = NULL;
 }

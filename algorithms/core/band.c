@@ -159,6 +159,67 @@ static void band_add(struct band *b, real lo, real hi)
     b->hi[b->count++] = hi;
 }
 
+/* Value by Horner's scheme in power form from monotone coefficients; error at most 16 u max|c| for k <= 3: the
+ * power coefficients are at most 6 max|c| in sum and come with 3 roundings. */
+static inline real value(int k, const real *c, real t)
+{
+    if (k == 1) {
+        return c[0] + (c[1] - c[0]) * t;
+    }
+    real b1 = c[1] - c[0];
+    if (k == 2) {
+        return c[0] + (2 * b1 + ((c[2] - c[1]) - b1) * t) * t;
+    }
+    real b2 = c[2] - c[1];
+    return c[0] + 3 * (b1 + ((b2 - b1) + ((c[3] - b2 - c[2]) - (b2 - b1)) * ((real)1 / 3) * t) * t) * t;
+}
+
+/* For c increasing from c[0] < 0 <= c[k]: a point that is not beyond the root, but by rounding close to it.
+ * The value there, with its rounding, proves it; 0 if the guess is not good enough. */
+static inline real before_root(int k, const real *c, real largest)
+{
+    real root[BAND_DEGREE_MAX], r;
+    int count = k == 1 ? roots_1(c, root) : k == 2 ? roots_2(c, root) : roots_3(c, root);
+    if (count == 0) {
+        return c[k] > 0 ? 0 : 1;
+    }
+    r = root[count - 1];
+    const real error = 32 * REAL_EPSILON;
+    real slope = c[k] - c[0]; /* of the order of the polynomial's own */
+    real pad = 2 * error * largest / slope + 2 * REAL_EPSILON;
+    for (int attempt = 0; attempt < 3; attempt++) {
+        real t = r - pad;
+        if (t <= 0) {
+            return 0;
+        }
+        if (value(k, c, t) < -error * largest) {
+            return t;
+        }
+        pad = 32 * pad;
+    }
+    return 0;
+}
+
+/* Monotone Bernstein coefficients: the polynomial is monotone, and one point tells its sign on one side. */
+static bool monotone_above(int k, const real *c, real largest, struct band *out)
+{
+    bool up = true, down = true;
+    for (int i = 0; i < k; i++) {
+        up &= c[i] <= c[i + 1];
+        down &= c[i] >= c[i + 1];
+    }
+    if (!up && !down) {
+        return false;
+    }
+    real d[BAND_DEGREE_MAX + 1];
+    for (int i = 0; i <= k; i++) {
+        d[i] = up ? c[i] : c[k - i];
+    }
+    real t = before_root(k, d, largest);
+    band_add(out, up ? t : 0, up ? 1 : 1 - t);
+    return true;
+}
+
 void band_above(int k, const real *c, struct band *out)
 {
     real largest = 0;
@@ -173,6 +234,9 @@ void band_above(int k, const real *c, struct band *out)
     }
     if (above == k + 1) {
         band_add(out, 0, 1);
+        return;
+    }
+    if (monotone_above(k, c, largest, out)) {
         return;
     }
     struct polynomial p = {k, c, 8 * k * (REAL_EPSILON / 2) * largest};

@@ -1,17 +1,18 @@
 #include "hull.h"
 
-/* Least and greatest crossing times n of the segments between points below and above 0. */
+/* Least and greatest crossing, times n, of the segments between points below and above 0.  The segment from i to j
+ * crosses at (j c[i] - i c[j]) / (c[i] - c[j]), sums of terms of one sign: relative error 4 u. */
 static inline real first_crossing(int n, const real *c)
 {
-    real first = n;
-    for (int i = 0; i < n; i++) {
+    real first = n, ri = 0;
+    for (int i = 0; i < n; i++, ri += 1) {
         if (c[i] >= 0) {
-            continue;
+            break; /* segments from later points begin behind the crossing that leads up to i */
         }
-        for (int j = i + 1; j <= n; j++) {
+        real rj = ri + 1;
+        for (int j = i + 1; j <= n; j++, rj += 1) {
             if (c[j] >= 0) {
-                real x = i + (real)(j - i) * (c[i] / (c[i] - c[j]));
-                first = x < first ? x : first;
+                first = real_min(first, (rj * c[i] - ri * c[j]) / (c[i] - c[j]));
             }
         }
     }
@@ -20,28 +21,26 @@ static inline real first_crossing(int n, const real *c)
 
 static inline real last_crossing(int n, const real *c)
 {
-    real last = 0;
-    for (int j = n; j > 0; j--) {
+    real last = 0, rj = n;
+    for (int j = n; j > 0; j--, rj -= 1) {
         if (c[j] >= 0) {
-            continue;
+            break;
         }
-        for (int i = j - 1; i >= 0; i--) {
+        real ri = rj - 1;
+        for (int i = j - 1; i >= 0; i--, ri -= 1) {
             if (c[i] >= 0) {
-                real x = j - (real)(j - i) * (c[j] / (c[j] - c[i]));
-                last = x > last ? x : last;
+                last = real_max(last, (rj * c[i] - ri * c[j]) / (c[i] - c[j]));
             }
         }
     }
     return last;
 }
 
-int hull_meet(int n, const real *c, int sign, real *lo, real *hi)
+int hull_meet(int n, const real *c, real *lo, real *hi)
 {
-    real b[65];
     int above = 0;
     for (int i = 0; i <= n; i++) {
-        b[i] = sign < 0 ? -c[i] : c[i];
-        above += b[i] >= 0;
+        above += c[i] >= 0;
     }
     if (above == 0) {
         return 0;
@@ -51,11 +50,11 @@ int hull_meet(int n, const real *c, int sign, real *lo, real *hi)
     }
     real a = *lo, z = *hi;
     const real pad = 4 * REAL_EPSILON;
-    if (b[0] < 0) {
-        a = real_max(a, first_crossing(n, b) / n - pad);
+    if (c[0] < 0) {
+        a = real_max(a, first_crossing(n, c) / n - pad);
     }
-    if (b[n] < 0) {
-        z = real_min(z, last_crossing(n, b) / n + pad);
+    if (c[n] < 0) {
+        z = real_min(z, last_crossing(n, c) / n + pad);
     }
     if (a > z) {
         return 0;

@@ -24,6 +24,10 @@ typedef __float128 real;
 #define REAL_EPSILON FLT128_EPSILON
 #define REAL_HUGE FLT128_MAX
 
+static inline real real_abs(real a)
+{
+    return __builtin_fabsf128(a);
+}
 static inline real real_sqrt(real a)
 {
     return __builtin_sqrtf128(a);
@@ -58,6 +62,10 @@ typedef double real;
 #define REAL_EPSILON DBL_EPSILON
 #define REAL_HUGE DBL_MAX
 
+static inline real real_abs(real a)
+{
+    return fabs(a);
+}
 static inline real real_sqrt(real a)
 {
     return sqrt(a);
@@ -84,10 +92,6 @@ static inline double real_to_double(real a)
 
 #endif
 
-static inline real real_abs(real a)
-{
-    return a < 0 ? -a : a;
-}
 static inline real real_min(real a, real b)
 {
     return a < b ? a : b;

@@ -84,42 +84,60 @@ void reduction_init(struct reduction *r, int n, int k, real *memory)
     r->elevate = elevate;
 }
 
-void reduction_apply(const struct reduction *r, const real *c, real *out)
+void reduction_apply(const struct reduction *r, int components, const real *c, real *out)
 {
-    for (int row = 0; row <= r->k; row++) {
-        if (!r->reduce) {
-            out[row] = c[row];
+    int length = r->n + 1;
+    if (!r->reduce) {
+        for (int i = 0; i < components * length; i++) {
+            out[i] = c[i];
+        }
+        return;
+    }
+    const real *a = r->reduce;
+    for (int row = 0; row <= r->k; row++, a += length) {
+        if (components == 2) { /* a polynomial curve: both coordinates in one pass over the matrix */
+            real x = 0, y = 0;
+            for (int i = 0; i < length; i++) {
+                x += a[i] * c[i];
+                y += a[i] * c[length + i];
+            }
+            out[row] = x;
+            out[r->k + 1 + row] = y;
             continue;
         }
-        const real *a = r->reduce + row * (r->n + 1);
-        real sum = 0;
-        for (int i = 0; i <= r->n; i++) {
-            sum += a[i] * c[i];
+        for (int j = 0; j < components; j++) {
+            real sum = 0;
+            for (int i = 0; i < length; i++) {
+                sum += a[i] * c[j * length + i];
+            }
+            out[j * (r->k + 1) + row] = sum;
         }
-        out[row] = sum;
     }
 }
 
-real reduction_residual(const struct reduction *r, const real *c, const real *q, real *residual)
+real reduction_residual(const struct reduction *r, int components, const real *c, const real *q, real *residual)
 {
+    int length = r->n + 1, reduced = r->k + 1;
     real largest = 0, rest = 0;
     if (!r->reduce) {
-        for (int i = 0; i <= r->n; i++) {
+        for (int i = 0; i < components * length; i++) {
             residual[i] = 0;
         }
         return 0;
     }
-    for (int j = 0; j <= r->k; j++) {
+    for (int j = 0; j < components * reduced; j++) {
         largest = real_max(largest, real_abs(q[j]));
     }
-    for (int i = 0; i <= r->n; i++) {
-        const real *a = r->elevate + i * (r->k + 1);
-        real sum = 0;
-        for (int j = 0; j <= r->k; j++) {
-            sum += a[j] * q[j];
+    for (int j = 0; j < components; j++, c += length, q += reduced, residual += length) {
+        const real *a = r->elevate;
+        for (int i = 0; i < length; i++, a += reduced) {
+            real sum = a[0] * q[0];
+            for (int l = 1; l < reduced; l++) {
+                sum += a[l] * q[l];
+            }
+            residual[i] = c[i] - sum;
+            rest = real_max(rest, real_abs(residual[i]));
         }
-        residual[i] = c[i] - sum;
-        rest = real_max(rest, real_abs(residual[i]));
     }
     return ((r->k + 4) * largest + rest) * (REAL_EPSILON / 2);
 }

@@ -14,13 +14,13 @@
 static bool clip(const struct arc *a, const struct arc *b, real scale, real *lo, real *hi)
 {
     const struct fat_line_rule rule = {.unit = false, .tight = true, .stretch = 1};
-    real lower[DEGREE_MAX + 1], upper[DEGREE_MAX + 1];
+    real above[DEGREE_MAX + 1], below[DEGREE_MAX + 1];
     struct strip s;
     fat_line(b, a, scale, &rule, &s);
-    strip_distances(&s, a, lower, upper);
+    strip_distances(&s, a, above, below);
     *lo = 0;
     *hi = 1;
-    return hull_meet(a->degree, lower, 1, lo, hi) && hull_meet(a->degree, upper, -1, lo, hi);
+    return hull_meet(a->degree, above, lo, hi) && hull_meet(a->degree, below, lo, hi);
 }
 
 static int shrink(const struct problem *p, const struct workspace *w, struct cell *c,

@@ -17,6 +17,9 @@
 #include "../core/cells.h"
 #include "../core/reduce.h"
 
+/* Every entry of the registry gets its own copy of the body, with its rules as constants. */
+#define ALWAYS_INLINE __attribute__((always_inline))
+
 struct rules {
     int k;
     bool arc;         /* the variant: scalar delta, longer arc, oriented boxes */
@@ -24,81 +27,84 @@ struct rules {
     real stretch;     /* 1; the length of the normal */
 };
 
-/* Bernstein coefficients of degree k: a may meet b only where the polynomial `lower` is >= 0 and `upper` <=
- * 0. */
+/* Bernstein coefficients of degree k: a may meet b only where both polynomials are >= 0. */
 struct bounds_of_distance {
-    int k;
-    real lower[BAND_DEGREE_MAX + 1], upper[BAND_DEGREE_MAX + 1];
+    real above[BAND_DEGREE_MAX + 1], below[BAND_DEGREE_MAX + 1];
 };
 
-/* The distances reduced as they are: residuals bound them on either side.
- * For a polynomial curve lower and upper differ by the thickness of the strip, whose rounding (3 u) is added.
- */
-static void reduce_scalar(const struct reduction *r, const struct strip *s, const struct arc *a,
-                          struct bounds_of_distance *out)
+/* The distances reduced as they are, each widened by its largest residual: two-sided. */
+static inline void reduce_scalar(const struct reduction *r, const struct strip *s, const struct arc *a,
+                                 struct bounds_of_distance *out)
 {
-    real lower[DEGREE_MAX + 1], upper[DEGREE_MAX + 1], rest[DEGREE_MAX + 1];
-    strip_distances(s, a, lower, upper);
+    real above[DEGREE_MAX + 1], below[DEGREE_MAX + 1], rest[DEGREE_MAX + 1];
+    strip_distances(s, a, above, below);
     for (int side = 0; side < 2; side++) {
-        const real *d = side ? upper : lower;
-        real *q = side ? out->upper : out->lower;
-        real least = 0, most = 0, largest = 0;
-        reduction_apply(r, d, q);
-        real bound = reduction_residual(r, d, q, rest);
+        const real *d = side ? below : above;
+        real *q = side ? out->below : out->above, most = 0, largest = 0;
+        reduction_apply(r, 1, d, q);
+        real bound = reduction_residual(r, 1, d, q, rest);
         for (int i = 0; i <= a->degree; i++) {
-            least = real_min(least, rest[i]);
             most = real_max(most, rest[i]);
         }
         for (int i = 0; i <= r->k; i++) {
             largest = real_max(largest, real_abs(q[i]));
         }
-        bound = bound + REAL_EPSILON * (largest + most - least);
+        most = most + (bound + REAL_EPSILON * (largest + most));
         for (int i = 0; i <= r->k; i++) {
-            q[i] = side ? q[i] + (least - bound) : q[i] + (most + bound);
+            q[i] = q[i] + most;
         }
     }
 }
 
-/* The curve reduced, delta = max |a_i - c_i|: valid for |n| <= 1, for rational curves with |level| times the
- * residual of the weight added. */
-static void reduce_vector(const struct reduction *r, const struct strip *s, const struct arc *a,
-                          struct bounds_of_distance *out)
+/* max |a_i - c_i| of the planar residuals. */
+static inline real planar_norm(int n, const real *x, const real *y)
 {
-    const real *c[3] = {a->x, a->y, a->w};
-    real q[3][BAND_DEGREE_MAX + 1], rest[3][DEGREE_MAX + 1], bound[3] = {0, 0, 0};
-    int components = a->w ? 3 : 2;
-    for (int j = 0; j < components; j++) {
-        reduction_apply(r, c[j], q[j]);
-        bound[j] = reduction_residual(r, c[j], q[j], rest[j]);
+    real most = 0;
+    for (int i = 0; i <= n; i++) {
+        most = real_max(most, x[i] * x[i] + y[i] * y[i]);
     }
-    real planar = 0, weight = 0, largest = 0;
-    for (int i = 0; i <= a->degree; i++) {
-        planar = real_max(planar, rest[0][i] * rest[0][i] + rest[1][i] * rest[1][i]);
-        weight = a->w ? real_max(weight, real_abs(rest[2][i])) : 0;
+    return real_sqrt(most);
+}
+
+static inline real max_norm(int length, const real *c)
+{
+    real most = 0;
+    for (int i = 0; i < length; i++) {
+        most = real_max(most, real_abs(c[i]));
     }
-    for (int i = 0; i <= r->k; i++) {
-        largest = real_max(largest, real_max(real_abs(q[0][i]), real_abs(q[1][i])));
-    }
-    planar = real_sqrt(planar);
-    for (int side = 0; side < 2; side++) {
-        real level = side ? s->hi : s->lo, *d = side ? out->upper : out->lower, most = 0;
-        for (int i = 0; i <= r->k; i++) {
-            d[i] = s->nx * q[0][i] + s->ny * q[1][i];
-            d[i] = d[i] - (a->w ? level * q[2][i] : level);
-            most = real_max(most, real_abs(level * (a->w ? q[2][i] : (real)1)));
+    return most;
+}
+
+/* The curve reduced, delta = max |a_i - c_i|: valid for |n| <= 1, for rational curves with |level| times the
+ * residual of the weight added.  Rounding: of delta itself 4 u, of the residuals their bound in each component,
+ * of the distances 5 u. */
+static inline void reduce_vector(const struct reduction *r, const struct strip *s, const struct arc *a,
+                                 struct bounds_of_distance *out)
+{
+    real q[3 * (BAND_DEGREE_MAX + 1)], rest[3 * (DEGREE_MAX + 1)];
+    int components = a->w ? 3 : 2, length = a->degree + 1, reduced = r->k + 1;
+    const real *qx = q, *qy = q + reduced, *qw = q + 2 * reduced;
+    reduction_apply(r, components, a->x, q);
+    real largest = max_norm(components * reduced, q);
+    real level = real_max(real_abs(s->lo), real_abs(s->hi));
+    real delta = 0;
+    if (r->reduce) {
+        real bound = reduction_residual(r, components, a->x, q, rest);
+        delta = planar_norm(a->degree, rest, rest + length) + 2 * bound;
+        if (a->w) {
+            delta = delta + level * (max_norm(length, rest + 2 * length) + bound);
         }
-        /* rounding: planar and the distances 4 u each, and the residuals' own bounds */
-        real pad = bound[0] + bound[1] + real_abs(level) * bound[2] +
-                   4 * REAL_EPSILON * (planar + real_abs(level) * weight + s->norm * largest + most);
-        real delta = planar + real_abs(level) * weight + pad;
-        for (int i = 0; i <= r->k; i++) {
-            d[i] = side ? d[i] - delta : d[i] + delta;
-        }
+    }
+    delta = delta + 4 * REAL_EPSILON * (delta + (s->norm + level) * largest + level);
+    for (int i = 0; i < reduced; i++) {
+        real d = s->nx * qx[i] + s->ny * qy[i];
+        out->above[i] = d - (a->w ? s->lo * qw[i] : s->lo) + delta;
+        out->below[i] = (a->w ? s->hi * qw[i] : s->hi) - d + delta;
     }
 }
 
 /* Where a may meet b, in local parameters of a. */
-static void clip(const struct rules *rules, const struct reduction *r, const struct arc *a,
+static inline void clip(const struct rules *rules, const struct reduction *r, const struct arc *a,
                  const struct arc *b, real scale, struct band *kept)
 {
     const struct fat_line_rule line = {.unit = true, .tight = false, .stretch = rules->stretch};
@@ -111,11 +117,12 @@ static void clip(const struct rules *rules, const struct reduction *r, const str
     } else {
         reduce_vector(r, &s, a, &d);
     }
-    for (int i = 0; i <= r->k; i++) {
-        d.upper[i] = -d.upper[i];
+    band_above(r->k, d.above, &above);
+    if (above.count == 0 && !rules->discard_and) {
+        kept->count = 0;
+        return;
     }
-    band_above(r->k, d.lower, &above);
-    band_above(r->k, d.upper, &below);
+    band_above(r->k, d.below, &below);
     if (rules->discard_and) {
         band_join(&above, &below, kept);
     } else {
@@ -143,7 +150,7 @@ static inline struct reduction reduction_at(const struct problem *p, const struc
     return r;
 }
 
-static int shrink(const struct rules *rules, const struct problem *p, const struct workspace *w,
+static inline ALWAYS_INLINE int shrink(const struct rules *rules, const struct problem *p, const struct workspace *w,
                   struct cell *c, struct piece piece[PIECES_MAX])
 {
     struct arc f = cell_f(p, c), g = cell_g(p, c);
@@ -181,9 +188,11 @@ static bool may_meet(const struct problem *p, const struct cell *c)
 static inline enum outcome solve(const struct problem *p, struct workspace *w, struct crossings *out, int k,
                                  shrink_function *step, enum halving rule, int margin)
 {
-    struct reduction unused;
-    reduction_init(&unused, p->f.degree, k, w->scratch);
-    reduction_init(&unused, p->g.degree, k, w->scratch + reduction_length(p->f.degree, k));
+    if (!w->planned) {
+        struct reduction unused;
+        reduction_init(&unused, p->f.degree, k, w->scratch);
+        reduction_init(&unused, p->g.degree, k, w->scratch + reduction_length(p->f.degree, k));
+    }
     if (margin) {
         return solve_by_shrinking(p, w, out, step, may_meet, rule);
     }
