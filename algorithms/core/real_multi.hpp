@@ -205,6 +205,10 @@ class real
 
 static_assert(std::is_trivial_v<real> && std::is_standard_layout_v<real>);
 
+static inline real real_abs(const real &a)
+{
+    return a < 0 ? -a : a;
+}
 static inline real real_sqrt(const real &a)
 {
     return real::by(mpfr_sqrt, real::view(a));
