@@ -8,7 +8,7 @@
 
 #include "judge.h"
 
-enum { EACH_PASSES = 5 };
+enum { EACH_PASSES = 5, PATIENCE = 3 /* failures of an external program before it is given up */ };
 
 /* What a contender made of a pair. */
 enum result { GOOD, MISSING, OTHERWISE_WRONG, EARLY, REFUSED };
@@ -21,6 +21,7 @@ struct work {
     struct timing_memory *memory;
     long steps;
     int failures; /* of an external program */
+    char failure[100];
 };
 
 /* Judged pairs x contenders. */
@@ -51,7 +52,10 @@ static struct answer ask(struct work *w, const struct loaded_case *pair)
     memset(&a, 0, sizeof a);
     a.crossings = w->memory->crossings;
     if (!algorithm) {
-        w->failures += external_ask(w->contender->external, pair->c.id, pair->line, &a) != NULL;
+        const char *error = external_ask(w->contender->external, pair->c.id, pair->line, &a);
+
+        if (error && !w->failures++)
+            snprintf(w->failure, sizeof w->failure, "; %s: %s", pair->c.id, error);
         return a;
     }
     a.id = pair->c.id;
@@ -115,12 +119,15 @@ static void judge_all(struct work *work, const struct timing_plan *plan, struct 
     for (int k = 0; k < r->contenders; k++) {
         for (int i = 0; i < r->pairs; i++) {
             const struct loaded_case *pair = work[k].at[r->index[i]];
-            double start = clock_now(true);
-            struct answer a = ask(&work[k], pair);
-            enum result result;
+            enum result result = REFUSED;
 
-            r->ns[k * r->pairs + i] = clock_now(true) - start;
-            result = rate(pair, &a, plan);
+            if (work[k].failures < PATIENCE) {
+                double start = clock_now(true);
+                struct answer a = ask(&work[k], pair);
+
+                r->ns[k * r->pairs + i] = clock_now(true) - start;
+                result = rate(pair, &a, plan);
+            }
             r->result[k * r->pairs + i] = result;
             count_result(&timing[k], result, pair->c.id);
         }
@@ -147,7 +154,7 @@ static int weakest(const struct results *r, const struct timing *timing)
 }
 
 /* Settles who is timed, and on which pairs; returns how many those are. */
-static int choose(struct results *r, struct timing *timing, int *common)
+static int choose(struct results *r, const struct work *work, struct timing *timing, int *common)
 {
     int count;
 
@@ -167,8 +174,8 @@ static int choose(struct results *r, struct timing *timing, int *common)
         if (out < 0 || (count > 0 && 2 * count >= r->pairs))
             return out < 0 ? 0 : count;
         r->in[out] = false;
-        snprintf(timing[out].why_not, sizeof timing[out].why_not, "right on only %d of %d pairs",
-                 timing[out].right, timing[out].judged);
+        snprintf(timing[out].why_not, sizeof timing[out].why_not, "right on only %d of %d pairs%s",
+                 timing[out].right, timing[out].judged, work[out].failure);
     }
 }
 
@@ -239,7 +246,8 @@ static void measure(struct work *work, const struct results *r, const struct tim
         t->samples = samples[i];
         t->pairs = work[who[i]].failures ? 0 : pairs;
         if (work[who[i]].failures)
-            snprintf(t->why_not, sizeof t->why_not, "failed %d times while timed", work[who[i]].failures);
+            snprintf(t->why_not, sizeof t->why_not, "failed %d times while timed%s", work[who[i]].failures,
+                     work[who[i]].failure);
     }
     free(who);
     free(samples);
@@ -279,7 +287,7 @@ void timing_run(int count, const struct loaded_case *const *at, int n, const str
         work[k].index = common;
     }
     judge_all(work, plan, &r, timing);
-    pairs = thin(&r, plan, choose(&r, timing, common), common);
+    pairs = thin(&r, plan, choose(&r, work, timing, common), common);
     for (int i = 0; i < pairs; i++)
         common[i] = r.index[common[i]];
     if (pairs > 0)
