@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -60,6 +61,12 @@ static void erase(void)
     now.drawn = false;
 }
 
+static int terminal_width(void)
+{
+    struct winsize size;
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) || size.ws_col < 2 ? 80 : size.ws_col;
+}
+
 static void show(double time)
 {
     char text[240], bar[BAR_WIDTH + 1];
@@ -70,14 +77,15 @@ static void show(double time)
         return;
     }
     erase();
-    if (now.total > 0) {
+    int width = terminal_width() - 1;
+    if (now.total > 0 && (int)strlen(text) + BAR_WIDTH + 3 <= width) {
         int full = (int)((double)BAR_WIDTH * (double)now.done / (double)now.total);
         memset(bar, '.', BAR_WIDTH);
         memset(bar, '#', (size_t)(full < BAR_WIDTH ? full : BAR_WIDTH));
         bar[BAR_WIDTH] = 0;
         fprintf(stderr, now.colour ? "\033[32m[%s]\033[0m " : "[%s] ", bar);
     }
-    fputs(text, stderr);
+    fprintf(stderr, "%.*s", width, text);
     fflush(stderr);
     now.drawn = true;
 }
