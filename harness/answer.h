@@ -23,11 +23,11 @@ struct answer {
 /* extra: an object whose members follow those above, or NULL; it stays the caller's. */
 void answer_write(FILE *stream, const struct answer *a, json_t *extra);
 
-/* Reads a line that an external program wrote; id and algorithm are copied into the given buffers, the records
- * into a->crossings, which the caller supplies.  Beside the fields above it may have "points_only":true.  Only
- * id, outcome and, when SOLVED, crossings are needed: the tolerance, the steps and counts are else 0, the
- * algorithm "", the standing CANDIDATE.  Numbers may be texts at every precision (number.h).
- * NULL on success, else a message that names the field. */
+/* Reads a line that an external program wrote; id and algorithm are copied into the given buffers, the
+ * records into a->crossings, which the caller supplies.  Beside the fields above it may have
+ * "points_only":true.  Only id, outcome and, when SOLVED, crossings are needed: the tolerance, the steps and
+ * counts are else 0, the algorithm "", the standing CANDIDATE.  Numbers may be texts at every precision
+ * (number.h). NULL on success, else a message that names the field. */
 const char *answer_read(const char *text, struct answer *a, char id[256], char algorithm[128]);
 
 #endif
