@@ -58,7 +58,7 @@ static bool read_solution(const struct fields *r, const json_t *v, int i, struct
         !read_parameter(r, exact, params, i, 1, a->s, &a->exact))
         return false;
     snprintf(field, sizeof field, "expected.mult[%d]", i);
-    if (mult && !json_is_null(mult) && !fields_integer(r, field, mult, 1, 1 << 20, &a->multiplicity))
+    if (mult && !json_is_null(mult) && !fields_integer(r, field, mult, 0, 1 << 20, &a->multiplicity))
         return false;
     snprintf(field, sizeof field, "expected.cond[%d]", i);
     if (cond && !fields_double(r, field, cond, &a->cond))

@@ -61,7 +61,7 @@ static const struct {
     {",\"expected\":{\"count\":2}", "expected.params: missing, expected 2 pairs"},
     {",\"expected\":{\"count\":2,\"params\":[[0,0]]}", "expected.params: 1 entry, expected 2"},
     {",\"expected\":{\"params\":[[0,0]],\"mult\":[]}", "expected.mult: 0 entries, expected 1"},
-    {",\"expected\":{\"params\":[[0,0]],\"mult\":[0]}", "expected.mult[0]: 0, expected 1 to"},
+    {",\"expected\":{\"params\":[[0,0]],\"mult\":[-1]}", "expected.mult[0]: -1, expected 0 to"},
     {",\"expected\":{\"params\":[[0,0]],\"cond\":[\"1\"]}",
      "expected.cond[0]: text, expected a number or null"},
     {",\"expected\":{\"params\":[[0,0]],\"sin\":[{}]}",
