@@ -19,10 +19,11 @@ static inline void euclidean(const struct arc *a, struct points *e)
     e->x = a->x;
     e->y = a->y;
     if (a->w) {
-        for (int i = 0; i <= a->degree; i++) {
+        int i = 0;
+        do {
             e->of_x[i] = a->x[i] / a->w[i];
             e->of_y[i] = a->y[i] / a->w[i];
-        }
+        } while (i++ < a->degree);
         e->x = e->of_x;
         e->y = e->of_y;
     }
@@ -56,7 +57,8 @@ static inline bool apart(const struct extent *a, const struct extent *b, real bo
     return a->lo - b->hi > bound || b->lo - a->hi > bound;
 }
 
-/* Rounding of a projection: a quotient, two products, a sum and the comparison, 6 u norm scale for each arc. */
+/* Rounding of a projection: a quotient, two products, a sum and the comparison, 6 u norm scale for each arc.
+ */
 static inline real separation(const struct arc *a, const struct arc *b, real scale)
 {
     return a->error + b->error + 8 * REAL_EPSILON * scale;

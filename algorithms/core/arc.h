@@ -45,8 +45,8 @@ bool arc_oriented_boxes_meet(const struct arc *a, const struct arc *b, real scal
 void fat_line(const struct arc *b, const struct arc *a, real scale, const struct fat_line_rule *rule,
               struct strip *out);
 
-/* above[i] = w_i (distance of control point i - s->lo), below[i] = w_i (s->hi - distance), i = 0..degree: inside the
- * strip exactly where both polynomials with these Bernstein coefficients are >= 0. */
+/* above[i] = w_i (distance of control point i - s->lo), below[i] = w_i (s->hi - distance), i = 0..degree:
+ * inside the strip exactly where both polynomials with these Bernstein coefficients are >= 0. */
 void strip_distances(const struct strip *s, const struct arc *a, real *above, real *below);
 
 #endif

@@ -159,8 +159,8 @@ static void band_add(struct band *b, real lo, real hi)
     b->hi[b->count++] = hi;
 }
 
-/* Value by Horner's scheme in power form from monotone coefficients; error at most 16 u max|c| for k <= 3: the
- * power coefficients are at most 6 max|c| in sum and come with 3 roundings. */
+/* Value by Horner's scheme in power form from monotone coefficients; error at most 16 u max|c| for k <= 3:
+ * the power coefficients are at most 6 max|c| in sum and come with 3 roundings. */
 static inline real value(int k, const real *c, real t)
 {
     if (k == 1) {

@@ -1,7 +1,7 @@
 #include "hull.h"
 
-/* Least and greatest crossing, times n, of the segments between points below and above 0.  The segment from i to j
- * crosses at (j c[i] - i c[j]) / (c[i] - c[j]), sums of terms of one sign: relative error 4 u. */
+/* Least and greatest crossing, times n, of the segments between points below and above 0.  The segment from i
+ * to j crosses at (j c[i] - i c[j]) / (c[i] - c[j]), sums of terms of one sign: relative error 4 u. */
 static inline real first_crossing(int n, const real *c)
 {
     real first = n, ri = 0;

@@ -115,7 +115,8 @@ void reduction_apply(const struct reduction *r, int components, const real *c, r
     }
 }
 
-real reduction_residual(const struct reduction *r, int components, const real *c, const real *q, real *residual)
+real reduction_residual(const struct reduction *r, int components, const real *c, const real *q,
+                        real *residual)
 {
     int length = r->n + 1, reduced = r->k + 1;
     real largest = 0, rest = 0;

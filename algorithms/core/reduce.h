@@ -22,12 +22,13 @@ size_t reduction_length(int n, int k); /* numbers of memory: 2 (n + 1)(k + 1), 0
  * memory. */
 void reduction_init(struct reduction *r, int n, int k, real *memory);
 
-/* Reduces `components` polynomials stored one after the other, n + 1 coefficients each; out[c * (r->k + 1) + i].
- * Any rounding makes it another approximation, no less valid: see reduction_residual. */
+/* Reduces `components` polynomials stored one after the other, n + 1 coefficients each; out[c * (r->k + 1) +
+ * i]. Any rounding makes it another approximation, no less valid: see reduction_residual. */
 void reduction_apply(const struct reduction *r, int components, const real *c, real *out);
 
 /* residual = c - q elevated, stored like c; returns a bound of the rounding of each entry:
  * (k + 4) u max|q| + u max|residual|.  So |c(t) - q(t)| <= max |residual| + bound for t in [0, 1]. */
-real reduction_residual(const struct reduction *r, int components, const real *c, const real *q, real *residual);
+real reduction_residual(const struct reduction *r, int components, const real *c, const real *q,
+                        real *residual);
 
 #endif

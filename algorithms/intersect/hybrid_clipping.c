@@ -76,8 +76,8 @@ static inline real max_norm(int length, const real *c)
 }
 
 /* The curve reduced, delta = max |a_i - c_i|: valid for |n| <= 1, for rational curves with |level| times the
- * residual of the weight added.  Rounding: of delta itself 4 u, of the residuals their bound in each component,
- * of the distances 5 u. */
+ * residual of the weight added.  Rounding: of delta itself 4 u, of the residuals their bound in each
+ * component, of the distances 5 u. */
 static inline void reduce_vector(const struct reduction *r, const struct strip *s, const struct arc *a,
                                  struct bounds_of_distance *out)
 {
@@ -105,7 +105,7 @@ static inline void reduce_vector(const struct reduction *r, const struct strip *
 
 /* Where a may meet b, in local parameters of a. */
 static inline void clip(const struct rules *rules, const struct reduction *r, const struct arc *a,
-                 const struct arc *b, real scale, struct band *kept)
+                        const struct arc *b, real scale, struct band *kept)
 {
     const struct fat_line_rule line = {.unit = true, .tight = false, .stretch = rules->stretch};
     struct strip s;
@@ -150,8 +150,9 @@ static inline struct reduction reduction_at(const struct problem *p, const struc
     return r;
 }
 
-static inline ALWAYS_INLINE int shrink(const struct rules *rules, const struct problem *p, const struct workspace *w,
-                  struct cell *c, struct piece piece[PIECES_MAX])
+static inline ALWAYS_INLINE int shrink(const struct rules *rules, const struct problem *p,
+                                       const struct workspace *w, struct cell *c,
+                                       struct piece piece[PIECES_MAX])
 {
     struct arc f = cell_f(p, c), g = cell_g(p, c);
     if (rules->arc && !arc_oriented_boxes_meet(&f, &g, p->bounds.scale)) {
