@@ -9,7 +9,10 @@ INTERSECTOR(hybrid_clipping_3)
 INTERSECTOR(hybrid_clipping_1_arc)
 INTERSECTOR(hybrid_clipping_2_arc)
 INTERSECTOR(hybrid_clipping_3_arc)
+INTERSECTOR(implicitization)
 
 CONTROL(control_discard_and)
 CONTROL(control_no_margin)
 CONTROL(control_normal_not_unit)
+
+#define INTERSECTOR_DEFAULT bezier_clipping
