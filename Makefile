@@ -33,6 +33,9 @@ ALGORITHMS_multi := $(ALGORITHMS)
 # Programs that work with reals are built for each precision; the others once, in build/double.
 PROGRAMS_REAL = list solve check time repeat
 PROGRAMS_ONCE = generate truth
+GENERATE_MODULES = draft draft_facts draft_contact family family_parts family_local family_write family_random \
+                   family_crossing family_scale family_many family_contact family_degenerate family_overlap \
+                   family_circle outline glyphs
 
 LIBS_double = -llapacke -llapack -lblas
 LIBS_quad   = -lquadmath
@@ -84,9 +87,11 @@ common_library = build/common/libcommon.a
 $(common_library): $(common_objects)
 	@rm -f $@
 	ar rcs $@ $^
-$(PROGRAMS_ONCE:%=build/double/fatline-%): build/double/fatline-%: build/common/harness/%.o $(GENERATE_OBJECTS) $(common_library)
+build/double/fatline-generate: $(GENERATE_MODULES:%=build/common/harness/%.o)
+build/double/fatline-generate: LIBS += $(FREETYPE_LIBS)
+$(PROGRAMS_ONCE:%=build/double/fatline-%): build/double/fatline-%: build/common/harness/%.o $(common_library)
 	@mkdir -p $(@D)
-	$(CC) -o $@ $^ $(FREETYPE_LIBS) $(LIBS)
+	$(CC) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
 # Measures beside lib2geom where lib2geom-dev is installed: see scripts/against_lib2geom.
 build/double/against_lib2geom: scripts/against_lib2geom.cc build/double/libharness.a build/double/libalgorithms.a
 	$(CXX) -std=c++17 $(OPT) $(FP) $(WARN) $(patsubst -I%,-isystem %,$(shell pkg-config --cflags 2geom)) \
