@@ -17,8 +17,7 @@
 
 static const quad U = 0x1p-113Q;
 
-/* ---- intervals: every operation widens its result by 4 U of its magnitude, twice its rounding error
- * ---------- */
+/* ---- intervals: every operation widens its result by 4 U of its magnitude, twice its rounding error --- */
 
 static struct quad_interval widen(quad lo, quad hi, quad by)
 {
@@ -60,8 +59,7 @@ static quad middle(struct quad_interval a)
     return (a.lo + a.hi) / 2;
 }
 
-/* ---- Bernstein polynomials
- * ----------------------------------------------------------------------------------- */
+/* ---- Bernstein polynomials ---------------------------------------------------------------------------- */
 
 /* left: c becomes the coefficients over [0, t], else over [t, 1]. */
 static void cut(int n, quad *c, quad t, bool left)
@@ -135,8 +133,7 @@ static struct jet jet_at(int n, const quad *c, quad t)
     return j;
 }
 
-/* ---- the system
- * ---------------------------------------------------------------------------------------------- */
+/* ---- the system --------------------------------------------------------------------------------------- */
 
 /* Enclosures of H and its Jacobian; the coordinates' jets, f then g. */
 struct system {
@@ -197,8 +194,7 @@ static struct quad_interval row_times(const quad row[2], struct quad_interval a,
     return add(scaled(a, row[0]), scaled(b, row[1]));
 }
 
-/* ---- Krawczyk's test
- * ------------------------------------------------------------------------------------------ */
+/* ---- Krawczyk's test ---------------------------------------------------------------------------------- */
 
 static struct quad_interval inflate(struct quad_interval a)
 {

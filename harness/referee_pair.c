@@ -7,8 +7,7 @@
 #include "case_fields.h"
 #include "number.h"
 
-/* ---- scaling
- * ------------------------------------------------------------------------------------------------- */
+/* ---- scaling ------------------------------------------------------------------------------------------ */
 
 /* e with |q| <= 2^e. */
 static long exponent_above(const mpq_t q)
@@ -90,8 +89,7 @@ void referee_pair_clear(struct referee_pair *p)
     rationals_free(p->g.at, 3 * (p->g.degree + 1));
 }
 
-/* ---- rationals and binary128
- * --------------------------------------------------------------------------------- */
+/* ---- rationals and binary128 -------------------------------------------------------------------------- */
 
 /* Within 2^-112 |a| of a; exact if a has at most 113 bits.  128 bits of the quotient are cut off and rounded.
  */

@@ -6,8 +6,7 @@
 
 enum { POLISH_BITS = 384 };
 
-/* ---- H at one point, at POLISH_BITS and exactly
- * -------------------------------------------------------------- */
+/* ---- H at one point, at POLISH_BITS and exactly ------------------------------------------------------- */
 
 /* Error below 2^-(POLISH_BITS - 16): n stages of mpf, |coefficients| <= 1, |1 - t| + |t| <= 33/32. */
 static void value_polished(const struct referee_curve *c, const mpf_t t, mpf_t out[3])
@@ -97,8 +96,7 @@ static bool is_zero(const struct referee_pair *p, const mpq_t t, const mpq_t s)
     return zero;
 }
 
-/* ---- the last digits
- * ----------------------------------------------------------------------------------------- */
+/* ---- the last digits ---------------------------------------------------------------------------------- */
 
 /* Simplified Newton's method with the inverse in doubles gains 50 bits a step; the distance to the root is
  * bounded by the contraction proved (krawczyk.h).  Returns false if the bound is not below 10^-40 in both

@@ -45,8 +45,7 @@ static int compare(const void *a, const void *b)
     return order ? order : mpq_cmp(p->s, q->s);
 }
 
-/* ---- as JSON
- * -------------------------------------------------------------------------------------------------- */
+/* ---- as JSON ------------------------------------------------------------------------------------------ */
 
 /* A fraction, or 40 digits. */
 static json_t *text_of(const mpq_t q, bool exact)
@@ -83,8 +82,7 @@ static json_t *expected_json(const struct case_expected *e)
                      sine, "mult", mult, "cond", cond);
 }
 
-/* ---- the answer
- * ----------------------------------------------------------------------------------------------- */
+/* ---- the answer --------------------------------------------------------------------------------------- */
 
 static bool at_end(const struct case_curve *c, const mpq_t q)
 {
