@@ -138,6 +138,7 @@ struct intersector {
  * their exact names only: negative controls for the tests. */
 extern const struct intersector *const intersectors[];
 extern const struct intersector *const controls[];
+extern const struct intersector *const intersector_default; /* for whoever asks for none by name */
 const struct intersector *intersector_find(const char *name); /* in either table; NULL if there is none */
 
 /* Bytes for curves of degree <= n, <= m, `room` waiting cells and `scratch` numbers. */

@@ -25,6 +25,9 @@ const struct intersector *const controls[] = {
 #include "list.h"
     NULL};
 
+extern const struct intersector *const intersector_default;
+const struct intersector *const intersector_default = &INTERSECTOR_DEFAULT;
+
 const struct intersector *intersector_find(const char *name)
 {
     const struct intersector *const *tables[] = {intersectors, controls};

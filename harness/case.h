@@ -13,7 +13,8 @@
 extern "C" {
 #endif
 
-/* Euclidean control points (x[i], y[i]) and weights w[i] (all 1 if !rational), i = 0..degree, over [lo, hi]. */
+/* Euclidean control points (x[i], y[i]) and weights w[i] (all 1 if !rational), i = 0..degree, over [lo, hi].
+ */
 struct case_curve {
     int degree;
     bool rational;
@@ -26,11 +27,12 @@ struct case_solution {
     mpq_t t, s;       /* within 10^-(digits) of the true parameters; exact when `exact` */
     bool exact;       /* t and s are the solution itself */
     int multiplicity; /* 0: not known */
-    double cond;      /* growth of a relative change of the coordinates into t and s; NAN: not known, or contact */
-    double sine;      /* of the angle of the tangents; NAN: not defined */
+    double cond; /* growth of a relative change of the coordinates into t and s; NAN: not known, or contact */
+    double sine; /* of the angle of the tangents; NAN: not defined */
 };
 
-/* f over [t0, t1] and g over [s0, s1] are the same arc: f(t0) = g(s0), f(t1) = g(s1); s0 > s1 when reversed. */
+/* f over [t0, t1] and g over [s0, s1] are the same arc: f(t0) = g(s0), f(t1) = g(s1); s0 > s1 when reversed.
+ */
 struct case_overlap {
     mpq_t t0, t1, s0, s1;
 };
@@ -38,9 +40,9 @@ struct case_overlap {
 struct case_expected {
     bool known;
     int count, overlaps;
-    struct case_solution *at;       /* count of them, sorted by t then s */
+    struct case_solution *at; /* count of them, sorted by t then s */
     struct case_overlap *overlap;
-    double tol;                     /* NAN: not given */
+    double tol; /* NAN: not given */
 };
 
 struct test_case {
@@ -49,8 +51,8 @@ struct test_case {
     bool ambiguous;   /* near.ambiguous is not empty: counted apart */
     struct case_curve f, g;
     struct case_expected expected;
-    json_t *line;       /* the whole object, for whoever copies it on; owned */
-    const char *file;   /* where it was read; the reader's name, not owned */
+    json_t *line;     /* the whole object, for whoever copies it on; owned */
+    const char *file; /* where it was read; the reader's name, not owned */
     int line_number;
 };
 

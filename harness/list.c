@@ -23,6 +23,7 @@ static void order_text(double order, char text[16])
 
 static void print_table(const struct intersector *const *a)
 {
+    bool starred = false;
     int width = 9;
     for (int i = 0; a[i]; i++)
         if ((int)strlen(a[i]->name) > width)
@@ -31,7 +32,9 @@ static void print_table(const struct intersector *const *a)
     for (int i = 0; a[i]; i++) {
         const double order[4] = {a[i]->claimed.contact_1, a[i]->claimed.contact_2, a[i]->claimed.contact_3,
                                  a[i]->claimed.cusp};
-        printf("%-*s ", width, a[i]->name);
+        bool is_default = a[i] == intersector_default;
+        printf("%-*s%c", width, a[i]->name, is_default ? '*' : ' ');
+        starred = starred || is_default;
         for (int k = 0; k < 4; k++) {
             char text[16];
             order_text(order[k], text);
@@ -39,6 +42,8 @@ static void print_table(const struct intersector *const *a)
         }
         printf("  %s\n%*s%s\n", a[i]->summary, width + 25, "", a[i]->reference);
     }
+    if (starred)
+        printf("%-*s* unless another is asked for\n", width, "");
 }
 
 static json_t *order_json(double order)
@@ -50,11 +55,12 @@ static void print_rows(const struct intersector *const *a)
 {
     for (int i = 0; a[i]; i++) {
         const struct order *o = &a[i]->claimed;
-        json_t *row = json_pack("{s:s, s:s, s:{s:o, s:o, s:o, s:o}, s:s, s:s, s:b}", "algorithm", a[i]->name,
-                                "precision", REAL_NAME, "claimed", "contact_1", order_json(o->contact_1),
-                                "contact_2", order_json(o->contact_2), "contact_3", order_json(o->contact_3),
-                                "cusp", order_json(o->cusp), "summary", a[i]->summary, "reference",
-                                a[i]->reference, "points_only", (int)a[i]->points_only);
+        json_t *row =
+            json_pack("{s:s, s:s, s:{s:o, s:o, s:o, s:o}, s:s, s:s, s:b, s:b}", "algorithm", a[i]->name,
+                      "precision", REAL_NAME, "claimed", "contact_1", order_json(o->contact_1), "contact_2",
+                      order_json(o->contact_2), "contact_3", order_json(o->contact_3), "cusp",
+                      order_json(o->cusp), "summary", a[i]->summary, "reference", a[i]->reference, "default",
+                      (int)(a[i] == intersector_default), "points_only", (int)a[i]->points_only);
         json_dumpf(row, stdout, JSON_COMPACT);
         putchar('\n');
         json_decref(row);

@@ -12,8 +12,9 @@ extern "C" {
 
 enum { ROW_SCHEMA = 1 };
 
-/* The environment line: {"environment":{...}} with schema, run id, program, arguments, precision, CPU, kernel,
- * compiler and flags, libraries as resolved, commit and dirty flag, governor or "unknown", load, time. */
+/* The environment line: {"environment":{...}} with schema, run id, program, arguments, precision, CPU,
+ * kernel, compiler and flags, libraries as resolved, commit and dirty flag, governor or "unknown", load,
+ * time. */
 json_t *row_environment(int argc, char **argv, const char *precision);
 const char *row_run_id(void); /* of this process; every row carries it as "run" */
 /* Writes `row` (stolen) on one line with "run" added. */

@@ -21,7 +21,7 @@ static const struct argp_option options[] = {
     {"keep-going", KEEP_GOING, 0, 0, "pass over bad lines; the exit status is still 65", 0},
     {0, 0, 0, 0, "How:", 2},
     {"algorithm", 'a', "LIST", 0,
-     "names, globs or `all`, separated by commas; may be repeated (bezier_clipping)", 0},
+     "names, globs or `all`, separated by commas; may be repeated (that with * in `fatline list`)", 0},
     {"tolerance", TOLERANCE, "X", 0, "width asked for in both parameters (1e-12)", 0},
     {"max-steps", MAX_STEPS, "N", 0, "step limit (100000)", 0},
     {"room", ROOM, "N", 0, "cells that may wait at once (512)", 0},
@@ -104,7 +104,7 @@ static void finish(struct solve_options *o, struct argp_state *state)
             argp_error(state, "-f, -g: not UTF-8");
     }
     if (!o->external && o->algorithms.count == 0)
-        algorithms_named_add(&o->algorithms, "bezier_clipping");
+        algorithms_named_add(&o->algorithms, intersector_default->name);
 }
 
 static bool parse_number(int key, char *argument, struct solve_options *o, struct argp_state *state)
