@@ -13,8 +13,7 @@
 extern "C" {
 #endif
 
-/* Euclidean control points (x[i], y[i]) and weights w[i] (all 1 if !rational), i = 0..degree, over [lo, hi].
- */
+/* Euclidean control points (x[i], y[i]) and weights w[i] (all 1 if !rational), i = 0..degree, on [lo, hi]. */
 struct case_curve {
     int degree;
     bool rational;
@@ -31,8 +30,7 @@ struct case_solution {
     double sine; /* of the angle of the tangents; NAN: not defined */
 };
 
-/* f over [t0, t1] and g over [s0, s1] are the same arc: f(t0) = g(s0), f(t1) = g(s1); s0 > s1 when reversed.
- */
+/* f over [t0, t1] and g over [s0, s1] are one arc: f(t0) = g(s0), f(t1) = g(s1); s0 > s1 when reversed. */
 struct case_overlap {
     mpq_t t0, t1, s0, s1;
 };
