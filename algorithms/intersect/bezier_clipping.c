@@ -2,8 +2,8 @@
  *
  * Sederberg and Nishita 1990: the distances of f's control points from the fat line of g are the control
  * values of an explicit Bezier curve over the parameter; where its convex hull misses the strip, f cannot
- * meet g.  When a clip removes less than a fifth, the longer curve is halved.  Quadratic at transversal
- * crossings (Schulz 2009), linear at contacts.
+ * meet g.  When a clip removes less than a fifth, the longer curve is halved, if the boxes along both
+ * chords meet.  Quadratic at transversal crossings (Schulz 2009), linear at contacts.
  *
  * Nothing is lost to rounding: the strip is widened by the bound of fat_line, the clip by that of hull_meet
  * and of its map to the curve's parameter. */
@@ -43,7 +43,10 @@ static int shrink(const struct problem *p, const struct workspace *w, struct cel
     struct interval *clipped = clip_g ? &piece[0].s : &piece[0].t;
     real width = interval_width(clipped);
     interval_clip(clipped, lo, hi);
-    return interval_width(clipped) > (real)0.8 * width ? HALVE : 1;
+    if (interval_width(clipped) <= (real)0.8 * width) {
+        return 1;
+    }
+    return arc_oriented_boxes_meet(&f, &g, p->bounds.scale) ? HALVE : 0;
 }
 
 static bool may_meet(const struct problem *p, const struct cell *c)
