@@ -87,8 +87,7 @@ static const char *launch(struct external *e)
     return NULL;
 }
 
-/* Waits up to `grace` seconds for the end, then kills the whole group.  The status, or -1 if it was killed.
- */
+/* Waits up to `grace` seconds for the end, then kills the group.  The status, or -1 if it was killed. */
 static int finish(struct external *e, double grace)
 {
     const struct timespec nap = {0, 2000000};
