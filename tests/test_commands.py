@@ -1,0 +1,163 @@
+#!/usr/bin/python3
+"""The command `fatline`, its `list` and `solve`: what they print, where they complain, how they end.  Prints TAP."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+FATLINE = os.environ.get("FATLINE", str(ROOT / "build/fatline"))
+PRECISIONS = ["double", "quad", "multi"]
+LINE = ["-f", "0,0 1,1", "-g", "0,1 1,0"]
+CASE = '{"id":"%s","f":{"points":[[0,0],[1,1]]},"g":{"points":[[0,1],[1,0]]}}'
+
+
+def fatline(*arguments, text=None, precision=None):
+    chosen = ["--precision", precision] if precision else []
+    return subprocess.run([FATLINE, *chosen, *arguments], input=text, capture_output=True, text=True, timeout=60)
+
+
+def expect(ended, status, told=""):
+    assert ended.returncode == status, f"{ended.args[1:]}: status {ended.returncode}, expected {status}: {ended.stderr}"
+    assert told in ended.stderr, f"{ended.args[1:]} says {ended.stderr!r}, expected {told!r}"
+    return ended.stdout
+
+
+def rows(text):
+    return [json.loads(line) for line in text.splitlines()]
+
+
+def number(a):
+    return float.fromhex(a) if isinstance(a, str) else a
+
+
+def test_help_and_version():
+    assert expect(fatline("--version"), 0) == "fatline 0.1\n"
+    shown = expect(fatline("--help"), 0)
+    assert all(command in shown for command in ("list", "generate", "truth", "solve", "check", "time"))
+    for command in ("list", "solve"):
+        assert f"Usage: fatline {command}" in expect(fatline(command, "--help"), 0)
+        assert expect(fatline(command, "--version"), 0) == "fatline 0.1\n"
+
+
+def test_wrong_usage():
+    expect(fatline(), 64, "no command")
+    expect(fatline("slove"), 64, "did you mean solve?")
+    expect(fatline("--precision", "octo", "list"), 64, "double, quad or multi")
+    expect(fatline("list", "no_such"), 64, "there are subdivision")
+    for wrong in (["--tolerance", "0"], ["--tolerance", "x"], ["--max-steps", "0"], ["--room", "1x"],
+                  ["--timeout", "-1"], ["-f", "0,0 1,1"], ["-a", "no_such"], [*LINE, "file"],
+                  ["-f", "0,0 1", "-g", "0,1 1,0"], ["-f", "0,0 1,2,3,4", "-g", "0,1 1,0"], ["--no-such-option"]):
+        expect(fatline("solve", *wrong), 64)
+
+
+def test_a_program_not_built():
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / "fatline"
+        copy.write_bytes(Path(FATLINE).read_bytes())
+        copy.chmod(0o755)
+        ended = subprocess.run([copy, "--precision", "quad", "solve"], capture_output=True, text=True)
+        expect(ended, 2, "make build/quad/fatline-solve")
+        ended = subprocess.run([copy, "--precision", "quad", "truth"], capture_output=True, text=True)
+        expect(ended, 2, "make build/double/fatline-truth")
+
+
+def test_list():
+    for precision in PRECISIONS:
+        listed = rows(expect(fatline("list", "--json", precision=precision), 0))
+        names = [row["algorithm"] for row in listed]
+        assert len(set(names)) == len(names) > 0 and sum(row["default"] for row in listed) == 1
+        assert all(row["precision"] == precision and row["summary"] and row["reference"] for row in listed)
+        table = expect(fatline("list", precision=precision), 0)
+        assert all(name in table for name in names)
+        some = rows(expect(fatline("list", "--json", "subdivision*", "all", precision=precision), 0))
+        assert sorted(row["algorithm"] for row in some) == sorted(names)
+
+
+def test_two_curves_in_one_line():
+    for precision in PRECISIONS:
+        row, = rows(expect(fatline("solve", *LINE, "--tolerance", "1e-10", precision=precision), 0))
+        assert (row["outcome"], row["precision"], row["id"]) == ("SOLVED", precision, "own")
+        assert len(row["crossings"]) == 1
+        for parameter in "ts":
+            lo, hi = map(number, row["crossings"][0][parameter])
+            assert lo <= 0.5 <= hi and hi - lo <= 1e-10
+        shown = expect(fatline("solve", "--human", *LINE, precision=precision), 0)
+        assert "SOLVED" in shown and "(0.5, 0.5)" in shown
+    away = ["-f", "0,0 1,1", "-g", "5,5 6,7"]
+    assert "no intersection" in expect(fatline("solve", "--human", *away), 0)
+    # the weights 1, 1, 2 make a quarter of the unit circle; it meets x = y at (sqrt 1/2, sqrt 1/2), s = sqrt 1/2
+    row, = rows(expect(fatline("solve", "-f", "1,0,1 1,1,1 0,1,2", "-g", "0,0;1,1"), 0))
+    lo, hi = row["crossings"][0]["s"]
+    assert lo <= 0.7071067811865476 <= hi + 1e-16 and hi - lo <= 1e-12, row
+
+
+def test_bad_lines():
+    lines = [CASE % "a", "", "{}", CASE % "b", '{"id":"c","f":{"points":[[0,0]]}}', CASE % "d"]
+    text = "\n".join(lines)
+    stopped = fatline("solve", text=text)
+    assert [row["id"] for row in rows(expect(stopped, 65, "stdin:3: id: missing"))] == ["a"]
+    gone_on = fatline("solve", "--keep-going", "-", text=text)
+    assert [row["id"] for row in rows(expect(gone_on, 65, "stdin:3: id: missing"))] == ["a", "b", "d"]
+    assert "stdin:5: f.points: 1 point" in gone_on.stderr
+    expect(fatline("solve", "-f", "0,0 x,1", "-g", "0,1 1,0"), 65, "command line:1: f.points[1][0]: \"x\"")
+    expect(fatline("solve", "/no/such/file"), 2, "/no/such/file: No such file")
+    expect(fatline("solve", *LINE, "--output", "/dev/full"), 2, "cannot be written")
+
+
+def test_cases_times_algorithms():
+    text = "\n".join(CASE % name for name in ("one", "two", "three"))
+    answers = rows(expect(fatline("solve", "-a", "subdivision*", "--id", "t*", text=text), 0))
+    names = [row["algorithm"] for row in rows(expect(fatline("list", "--json", "subdivision*"), 0))]
+    assert [(row["id"], row["algorithm"]) for row in answers] == [(i, a) for i in ("two", "three") for a in names]
+    with tempfile.TemporaryDirectory() as folder:
+        files = [Path(folder) / name for name in ("a.jsonl", "b.jsonl")]
+        for file in files:
+            file.write_text(CASE % file.stem + "\n")
+        out = Path(folder) / "out"
+        assert expect(fatline("solve", "--output", str(out), *map(str, files)), 0) == ""
+        assert [row["id"] for row in rows(out.read_text())] == ["a", "b"]
+
+
+def test_limits_end_a_call():
+    shown = expect(fatline("solve", "-a", "subdivision", "--max-steps", "3", *LINE), 0)
+    row, = rows(shown)
+    assert row["outcome"] == "OUT_OF_STEPS" and row["steps"] <= 3
+    assert any(c["t"][0] <= 0.5 <= c["t"][1] and c["s"][0] <= 0.5 <= c["s"][1] for c in row["crossings"])
+
+
+def test_external_programs():
+    """Another fatline as the external program gives the very records of the algorithm it runs."""
+    text = "\n".join(CASE % name for name in ("one", "two", "three"))
+    for precision in PRECISIONS:
+        other = f"{FATLINE} --precision {precision} solve -a subdivision --tolerance $FATLINE_TOLERANCE"
+        here = rows(expect(fatline("solve", "-a", "subdivision", "--tolerance", "1e-7", text=text, precision=precision),
+                           0))
+        there = rows(expect(fatline("solve", "-x", other, "--tolerance", "1e-7", text=text, precision=precision), 0))
+        for row in here:
+            row["algorithm"] = "fatline"
+        assert here == there
+    failing = rows(expect(fatline("solve", "--external", "false", text=text), 0, "one: false: ended with status 1"))
+    assert [(row["id"], row["outcome"]) for row in failing] == [(i, "INVALID") for i in ("one", "two", "three")]
+    assert all("status 1" in row["message"] for row in failing)
+
+
+def main():
+    tests = [(name, test) for name, test in globals().items() if name.startswith("test_")]
+    failed = 0
+    for number_, (name, test) in enumerate(tests, 1):
+        try:
+            test()
+            print(f"ok {number_} - {name}", flush=True)
+        except AssertionError as wrong:
+            failed += 1
+            print(f"not ok {number_} - {name}\n# {wrong}", flush=True)
+    print(f"1..{len(tests)}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
