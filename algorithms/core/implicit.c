@@ -158,6 +158,18 @@ size_t implicit_scratch(int d, int e)
     return nodes > minors ? nodes : minors;
 }
 
+bool implicit_vanishes(int n, const real *c, real error)
+{
+    bool vanishes = true;
+    for (int i = 0; i <= n; i++) {
+        if (!real_is_finite(c[i])) {
+            return true;
+        }
+        vanishes = vanishes && real_abs(c[i]) <= 4 * error;
+    }
+    return vanishes;
+}
+
 /* ---- inversion ---- */
 
 struct ratio {

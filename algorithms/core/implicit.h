@@ -36,6 +36,9 @@ int implicit_degree_max(void);
 real implicit_resultant(const struct polygon *a, const struct polygon *b, real *scratch, real *c);
 size_t implicit_scratch(int d, int e); /* also for all lower degrees, and for implicit_invert */
 
+/* Every coefficient drowns in the error: the curves overlap, or one is written in too high a degree. */
+bool implicit_vanishes(int n, const real *c, real error);
+
 /* All u in [0, 1] for which a may pass within `radius` of (x, y) in each coordinate lie in [*lo, *hi] if
  * INVERTED; NOWHERE: there is none.  AMBIGUOUS: M may have a null space of dimension 2 there, as at a double
  * point of a. */

@@ -215,23 +215,6 @@ static void solve_root(struct state *z, const struct root *r)
     }
 }
 
-/* A resultant that drowns in its error says nothing: the curves overlap, or one is written in too high a
- * degree. */
-static bool stands_out(int n, const real *c, real error)
-{
-    for (int i = 0; i <= n; i++) {
-        if (!real_is_finite(c[i])) {
-            return false;
-        }
-    }
-    for (int i = 0; i <= n; i++) {
-        if (real_abs(c[i]) > 4 * error) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
 {
     struct state z;
@@ -254,7 +237,7 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
     real *c = w->scratch;
     z.scratch = c + z.degree + 1;
     real error = implicit_resultant(&z.a->polygon, &z.b->polygon, z.scratch, c);
-    if (!stands_out(z.degree, c, error)) {
+    if (implicit_vanishes(z.degree, c, error)) {
         return UNSUPPORTED;
     }
     int count = roots_find(z.degree, c, error, z.tolerance_v / 8, z.scratch, ROOTS_MAX, root);
@@ -277,6 +260,7 @@ static size_t scratch(int n, int m)
     return (size_t)(n * m) + 1 + (resultant > roots ? resultant : roots);
 }
 
+extern const struct intersector implicitization;
 const struct intersector implicitization = {
     "implicitization",
     "resultant in Bernstein form, its roots, inversion; every box proved or owned up to",
