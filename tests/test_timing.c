@@ -99,7 +99,7 @@ struct trial {
     int left_out;
 };
 
-static void run_trial(struct trial *trial, bool unchecked)
+static void run_trial(struct trial *trial, bool unchecked, double seconds)
 {
     static const struct intersector *const nobody[] = {NULL};
     char path[] = "/tmp/fatline-timing-XXXXXX";
@@ -111,6 +111,7 @@ static void run_trial(struct trial *trial, bool unchecked)
     memset(trial, 0, sizeof *trial);
     trial->plan.tolerance = (real)1 / 1000000000;
     trial->plan.unchecked = unchecked;
+    trial->plan.clock.seconds = seconds;
     trial->plan.clock.rounds = 7;
     trial->plan.clock.sample_ns = 1e4;
     assert_int_equal(case_set_read(&trial->set, path, trial->plan.tolerance, 10), 0);
@@ -144,7 +145,7 @@ static void test_only_the_right_is_timed(void **state)
     struct timing *t = trial.timing;
 
     (void)state;
-    run_trial(&trial, false);
+    run_trial(&trial, false, 0);
     assert_int_equal(trial.left_out, 2);
     for (int k = 0; k < FAKES; k++)
         assert_int_equal(t[k].judged, PAIRS);
@@ -171,10 +172,23 @@ static void test_unchecked_believes(void **state)
     struct trial trial;
 
     (void)state;
-    run_trial(&trial, true);
+    run_trial(&trial, true, 0);
     assert_int_equal(trial.left_out, 0);
     assert_int_equal(trial.timing[MISSES].missing, 0);
     assert_true(trial.timing[MISSES].pairs > 0);
+    end_trial(&trial);
+}
+
+/* With no time to speak of, the least number of rounds on one pair is still done. */
+static void test_time_allowed_thins_the_pairs(void **state)
+{
+    struct trial trial;
+
+    (void)state;
+    run_trial(&trial, false, 1e-9);
+    assert_int_equal(trial.timing[RIGHT_ALWAYS].right, PAIRS);
+    assert_int_equal(trial.timing[RIGHT_ALWAYS].pairs, 1);
+    assert_int_equal(trial.timing[RIGHT_ALWAYS].samples.count, CLOCK_ROUNDS_LEAST);
     end_trial(&trial);
 }
 
@@ -188,7 +202,7 @@ static void test_rows(void **state)
     int rows = 0;
 
     (void)state;
-    run_trial(&trial, false);
+    run_trial(&trial, false, 0);
     timing_rows_write(stream, "crossings", CASES, trial.left_out, FAKES, trial.contender, trial.timing,
                       &trial.plan, RIGHT_ALWAYS);
     fclose(stream);
@@ -217,6 +231,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_only_the_right_is_timed),
         cmocka_unit_test(test_unchecked_believes),
+        cmocka_unit_test(test_time_allowed_thins_the_pairs),
         cmocka_unit_test(test_rows),
     };
 
