@@ -8,7 +8,11 @@
 
 #include "judge.h"
 
-enum { EACH_PASSES = 5, PATIENCE = 3 /* failures of an external program before it is given up */ };
+enum {
+    EACH_PASSES = 5,
+    PASSES_LEAST = 2 + CLOCK_ROUNDS_LEAST + EACH_PASSES, /* of whatever is timed, calibration included */
+    PATIENCE = 3                                         /* failures of a program before it is given up */
+};
 
 /* What a contender made of a pair. */
 enum result { GOOD, MISSING, OTHERWISE_WRONG, EARLY, REFUSED };
@@ -189,8 +193,7 @@ static int thin(const struct results *r, const struct timing_plan *plan, int cou
         for (int i = 0; i < count && r->in[k]; i++)
             pass += r->ns[k * r->pairs + common[i]];
     if (plan->clock.seconds > 0)
-        stride =
-            (int)fmax(1, ceil(pass * (2 + CLOCK_ROUNDS_LEAST + EACH_PASSES) / (plan->clock.seconds * 1e9)));
+        stride = (int)fmin(count, ceil(fmax(1, pass * PASSES_LEAST / (plan->clock.seconds * 1e9))));
     for (int i = 0; i < count; i += stride)
         common[kept++] = common[i];
     return kept;
