@@ -9,8 +9,8 @@ extern "C" {
 #endif
 
 struct exact_limits {
-    int digits;           /* of the parameters; at least 40 */
-    double seconds;       /* give up after so long; 0: never */
+    int digits;     /* of the parameters; at least 40 */
+    double seconds; /* give up after so long; 0: never */
 };
 
 /* Fills in c->expected (freeing what was there), c->class_name and the JSON of both ("expected", "class",

@@ -1,0 +1,341 @@
+/* Real roots of integer polynomials by Descartes' rule of signs, bisection and interval Newton steps. */
+#include "exact_roots.h"
+
+#include <stdlib.h>
+#include <flint/fmpz_poly_factor.h>
+#include <arb_fmpz_poly.h>
+
+enum {
+    RATIONAL_BITS = 40, /* longest denominator looked for in a root */
+    RATIONAL_PREC = 100 /* radius 2^-100: two fractions that short lie further apart */
+};
+
+void real_root_init(struct real_root *r)
+{
+    r->exact = false;
+    r->multiplicity = 0;
+    fmpq_init(r->value);
+    fmpq_init(r->lo);
+    fmpq_init(r->hi);
+    fmpz_poly_init(r->p);
+    arb_init(r->ball);
+}
+
+void real_root_clear(struct real_root *r)
+{
+    fmpq_clear(r->value);
+    fmpq_clear(r->lo);
+    fmpq_clear(r->hi);
+    fmpz_poly_clear(r->p);
+    arb_clear(r->ball);
+}
+
+void real_root_set(struct real_root *to, const struct real_root *from)
+{
+    to->exact = from->exact;
+    to->multiplicity = from->multiplicity;
+    fmpq_set(to->value, from->value);
+    fmpq_set(to->lo, from->lo);
+    fmpq_set(to->hi, from->hi);
+    fmpz_poly_set(to->p, from->p);
+    arb_set(to->ball, from->ball);
+}
+
+void real_root_set_exact(struct real_root *r, const fmpq_t value)
+{
+    r->exact = true;
+    fmpq_set(r->value, value);
+    arb_set_fmpq(r->ball, value, RATIONAL_PREC);
+}
+
+static int sign_at(const fmpz_poly_t p, const fmpq_t x)
+{
+    fmpq_t y;
+    fmpq_init(y);
+    fmpz_poly_evaluate_fmpq(y, p, x);
+    int sign = fmpq_sgn(y);
+    fmpq_clear(y);
+    return sign;
+}
+
+/* A fraction of few digits inside the ball that is a root is the root. */
+static void recognise(struct real_root *r)
+{
+    fmpq_t a, b;
+    arf_t lo, hi;
+    fmpq_init(a);
+    fmpq_init(b);
+    arf_init(lo);
+    arf_init(hi);
+    arb_get_lbound_arf(lo, r->ball, ARF_PREC_EXACT);
+    arb_get_ubound_arf(hi, r->ball, ARF_PREC_EXACT);
+    arf_get_fmpq(a, lo);
+    arf_get_fmpq(b, hi);
+    fmpq_simplest_between(a, a, b);
+    if (fmpz_bits(fmpq_denref(a)) <= RATIONAL_BITS && sign_at(r->p, a) == 0)
+        real_root_set_exact(r, a);
+    fmpq_clear(a);
+    fmpq_clear(b);
+    arf_clear(lo);
+    arf_clear(hi);
+}
+
+static bool is_within(const struct real_root *r, slong prec, bool relative)
+{
+    arf_t bound, radius;
+    arf_init(bound);
+    arf_init(radius);
+    arf_set_mag(radius, arb_radref(r->ball));
+    arf_one(bound);
+    if (relative)
+        arb_get_abs_lbound_arf(bound, r->ball, 30);
+    if (arf_cmp_si(bound, 1) > 0)
+        arf_one(bound);
+    arf_mul_2exp_si(bound, bound, -prec);
+    bool within = arf_cmp(radius, bound) <= 0;
+    arf_clear(bound);
+    arf_clear(radius);
+    return within;
+}
+
+/* Halves the interval (lo, hi) by the exact sign at its middle. */
+static void bisect(struct real_root *r, slong prec)
+{
+    fmpq_t mid;
+    fmpq_init(mid);
+    fmpq_add(mid, r->lo, r->hi);
+    fmpq_div_2exp(mid, mid, 1);
+    int sign = sign_at(r->p, mid);
+    if (sign == 0)
+        real_root_set_exact(r, mid);
+    else if (sign == sign_at(r->p, r->lo))
+        fmpq_set(r->lo, mid);
+    else
+        fmpq_set(r->hi, mid);
+    if (!r->exact) {
+        arb_t hi;
+        arb_init(hi);
+        arb_set_fmpq(r->ball, r->lo, prec);
+        arb_set_fmpq(hi, r->hi, prec);
+        arb_union(r->ball, r->ball, hi, prec);
+        arb_clear(hi);
+    }
+    fmpq_clear(mid);
+}
+
+/* One interval Newton step; false if it gained less than one bit in two. */
+static bool newton(struct real_root *r, const fmpz_poly_t derivative, slong prec)
+{
+    arb_t mid, step, slope;
+    mag_t before;
+    arb_init(mid);
+    arb_init(step);
+    arb_init(slope);
+    mag_init_set(before, arb_radref(r->ball));
+    arb_fmpz_poly_evaluate_arb_horner(slope, derivative, r->ball, prec);
+    bool gained = !arb_contains_zero(slope);
+    if (gained) {
+        arb_get_mid_arb(mid, r->ball);
+        arb_fmpz_poly_evaluate_arb_horner(step, r->p, mid, prec);
+        arb_div(step, step, slope, prec);
+        arb_sub(mid, mid, step, prec);
+        arb_intersection(r->ball, r->ball, mid, prec);
+        mag_mul_2exp_si(before, before, -1);
+        gained = mag_cmp(arb_radref(r->ball), before) < 0;
+    }
+    arb_clear(mid);
+    arb_clear(step);
+    arb_clear(slope);
+    mag_clear(before);
+    return gained;
+}
+
+void real_root_refine(struct real_root *r, slong prec, bool relative)
+{
+    slong work = prec + 64 + labs(fmpz_poly_max_bits(r->p)) + fmpz_poly_length(r->p);
+    if (r->exact) {
+        arb_set_fmpq(r->ball, r->value, work);
+        return;
+    }
+    fmpz_poly_t derivative;
+    fmpz_poly_init(derivative);
+    fmpz_poly_derivative(derivative, r->p);
+    bool by_newton = true;
+    while (!r->exact && !is_within(r, prec, relative)) {
+        by_newton = by_newton && newton(r, derivative, work);
+        if (!by_newton) {
+            bisect(r, work);
+            by_newton = !r->exact && newton(r, derivative, work);
+        }
+        work += 8; /* roundings never stop the progress for good */
+    }
+    if (!r->exact && prec >= RATIONAL_PREC)
+        recognise(r);
+    if (r->exact)
+        arb_set_fmpq(r->ball, r->value, work);
+    fmpz_poly_clear(derivative);
+}
+
+bool real_root_of(const struct real_root *r, const fmpz_poly_t q)
+{
+    if (fmpz_poly_is_zero(q) || r->exact)
+        return fmpz_poly_is_zero(q) || sign_at(q, r->value) == 0;
+    fmpz_poly_t g;
+    fmpz_poly_init(g);
+    fmpz_poly_gcd(g, q, r->p); /* a factor of p: at most one root in (lo, hi), none at the ends */
+    bool is = fmpz_poly_degree(g) > 0 && sign_at(g, r->lo) != sign_at(g, r->hi);
+    fmpz_poly_clear(g);
+    return is;
+}
+
+int real_root_order(const struct real_root *r, const fmpz_poly_t q)
+{
+    int order = 0;
+    fmpz_poly_t d;
+    fmpz_poly_init(d);
+    fmpz_poly_set(d, q);
+    while (!fmpz_poly_is_zero(d) && real_root_of(r, d)) {
+        order++;
+        fmpz_poly_derivative(d, d);
+    }
+    fmpz_poly_clear(d);
+    return order;
+}
+
+/* ---- isolation ---- */
+
+static struct real_root *append(struct root_list *l, const fmpz_poly_t p, int multiplicity)
+{
+    l->at = realloc(l->at, (size_t)(l->count + 1) * sizeof *l->at);
+    struct real_root *r = &l->at[l->count++];
+    real_root_init(r);
+    fmpz_poly_set(r->p, p);
+    r->multiplicity = multiplicity;
+    return r;
+}
+
+static void drop(struct root_list *l, int count)
+{
+    while (l->count > count)
+        real_root_clear(&l->at[--l->count]);
+}
+
+/* Sign changes of (1 + x)^d p(1 / (1 + x)): at least the number of roots in (0, 1), equal if it is 0 or 1. */
+static int descartes(const fmpz_poly_t p)
+{
+    fmpz_poly_t q;
+    fmpz_poly_init(q);
+    fmpz_poly_reverse(q, p, p->length);
+    fmpz_poly_taylor_shift(q, q, &(fmpz){1});
+    int changes = 0, last = 0;
+    for (slong i = 0; i < q->length && changes < 2; i++) {
+        int sign = fmpz_sgn(q->coeffs + i);
+        changes += sign * last < 0;
+        last = sign ? sign : last;
+    }
+    fmpz_poly_clear(q);
+    return changes;
+}
+
+static void set_dyadic(fmpq_t x, const fmpz_t c, ulong k)
+{
+    fmpz_one(fmpq_denref(x));
+    fmpz_mul_2exp(fmpq_denref(x), fmpq_denref(x), k);
+    fmpz_set(fmpq_numref(x), c);
+    fmpq_canonicalise(x);
+}
+
+/* p(x) over ((c, c + 1) / 2^k) is `node` over (0, 1).  Appends the isolating intervals below; a root at a
+ * middle stops everything and is left in `middle`: true. */
+static bool isolate(struct root_list *l, const fmpz_poly_t p, int multiplicity, const fmpz_poly_t node,
+                    const fmpz_t c, ulong k, fmpq_t middle)
+{
+    int changes = descartes(node);
+    if (changes == 0)
+        return false;
+    fmpz_t e;
+    fmpz_init(e);
+    if (changes == 1) {
+        struct real_root *r = append(l, p, multiplicity);
+        set_dyadic(r->lo, c, k);
+        fmpz_add_ui(e, c, 1);
+        set_dyadic(r->hi, e, k);
+        fmpz_add(e, c, e); /* (2 c + 1) / 2^(k + 1), give or take 1 / 2^(k + 1) */
+        arb_set_fmpz(r->ball, e);
+        arb_mul_2exp_si(r->ball, r->ball, -(slong)k - 1);
+        arb_add_error_2exp_si(r->ball, -(slong)k - 1);
+        fmpz_clear(e);
+        return false;
+    }
+    fmpz_poly_t half;
+    fmpz_poly_init(half);
+    fmpz_poly_set(half, node);
+    for (slong i = 0; i < half->length; i++)
+        fmpz_mul_2exp(half->coeffs + i, half->coeffs + i, (ulong)(half->length - 1 - i));
+    fmpz_mul_2exp(e, c, 1);
+    bool stopped = isolate(l, p, multiplicity, half, e, k + 1, middle);
+    fmpz_poly_taylor_shift(half, half, &(fmpz){1});
+    fmpz_add_ui(e, e, 1);
+    if (!stopped && fmpz_is_zero(half->coeffs)) {
+        set_dyadic(middle, e, k + 1);
+        stopped = true;
+    }
+    stopped = stopped || isolate(l, p, multiplicity, half, e, k + 1, middle);
+    fmpz_poly_clear(half);
+    fmpz_clear(e);
+    return stopped;
+}
+
+/* Divides p by its rational root x and appends x. */
+static void take_exact(struct root_list *l, fmpz_poly_t p, const fmpq_t x, int multiplicity)
+{
+    real_root_set_exact(append(l, p, multiplicity), x);
+    fmpz_poly_t linear;
+    fmpz_poly_init(linear);
+    fmpz_poly_set_coeff_fmpz(linear, 1, fmpq_denref(x));
+    fmpz_poly_set_coeff_fmpz(linear, 0, fmpq_numref(x));
+    fmpz_neg(linear->coeffs, linear->coeffs);
+    fmpz_poly_div(p, p, linear);
+    fmpz_poly_clear(linear);
+}
+
+/* All roots in [0, 1] of the squarefree p. */
+static void find_simple(struct root_list *l, fmpz_poly_t p, int multiplicity)
+{
+    fmpq_t x;
+    fmpz_t zero;
+    fmpq_init(x);
+    fmpz_init(zero);
+    for (int end = 0; end <= 1; end++) {
+        fmpq_set_si(x, end, 1);
+        if (fmpz_poly_degree(p) > 0 && sign_at(p, x) == 0)
+            take_exact(l, p, x, multiplicity);
+    }
+    int before = l->count;
+    while (fmpz_poly_degree(p) > 0 && isolate(l, p, multiplicity, p, zero, 0, x)) {
+        drop(l, before);
+        take_exact(l, p, x, multiplicity);
+        before = l->count;
+    }
+    fmpq_clear(x);
+    fmpz_clear(zero);
+}
+
+void root_list_find(struct root_list *l, const fmpz_poly_t p)
+{
+    fmpz_poly_factor_t parts;
+    l->count = 0;
+    l->at = NULL;
+    fmpz_poly_factor_init(parts);
+    fmpz_poly_factor_squarefree(parts, p);
+    for (slong k = 0; k < parts->num; k++)
+        find_simple(l, parts->p + k, (int)parts->exp[k]);
+    fmpz_poly_factor_clear(parts);
+}
+
+void root_list_clear(struct root_list *l)
+{
+    drop(l, 0);
+    free(l->at);
+    l->at = NULL;
+}
