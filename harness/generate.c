@@ -28,7 +28,8 @@ static const struct argp_option options[] = {
     {"weights", 'w', NULL, 0, "Rational curves; the same as FAMILY_rational", 0},
     {"gap", 'g', "J", 0,
      "near_tangent: every gap 2^-J, 5 <= J <= 50 (default: they change from case to case)", 0},
-    {"fonts", 'F', "A,B,...", 0, "glyphs: families to overlay (default DejaVu Sans,Latin Modern Roman)", 1},
+    {"fonts", 'F', "A,B,...", 0,
+     "glyphs: families to overlay (default DejaVu Sans,DejaVu Serif,Latin Modern Roman)", 1},
     {"letters", 'L', "TEXT", 0, "glyphs: letters to take (default a-z, A-Z, 0-9 and &)", 1},
     {"list", 'l', NULL, 0, "List the families", 2},
     {0}};
@@ -202,7 +203,7 @@ int main(int argc, char **argv)
         NULL};
     struct arguments a = {.count = 1,
                           .seed = 1,
-                          .fonts = "DejaVu Sans,Latin Modern Roman",
+                          .fonts = "DejaVu Sans,DejaVu Serif,Latin Modern Roman",
                           .letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789&"};
     char why[512];
     int status = 0;

@@ -102,8 +102,9 @@ static void choose_outlines(const struct library *l, uint64_t index, struct rand
         c->font[1] = c->font[0], c->dx = 2 * random_between(r, -2, 2), c->dy = 2 * random_between(r, -2, 2);
 }
 
-/* Two segments of these outlines whose boxes meet, not both lines and not the same one unmoved. */
-static bool choose_segments(const struct library *l, struct random_state *r, struct choice *c)
+/* Two segments of these outlines whose boxes meet: a line and a curve in every fourth case, else two curves;
+ * not the same one unmoved. */
+static bool choose_segments(const struct library *l, uint64_t index, struct random_state *r, struct choice *c)
 {
     const struct outline *a = &l->outline[c->font[0]][c->letter[0]],
                          *b = &l->outline[c->font[1]][c->letter[1]];
@@ -112,7 +113,8 @@ static bool choose_segments(const struct library *l, struct random_state *r, str
         c->segment[0] = (int)random_between(r, 0, a->count - 1);
         c->segment[1] = (int)random_between(r, 0, b->count - 1);
         const struct segment *f = &a->at[c->segment[0]], *g = &b->at[c->segment[1]];
-        if ((f->degree > 1 || g->degree > 1) && !(same && f == g) && boxes_meet(f, g, c->dx, c->dy))
+        int lines = (f->degree == 1) + (g->degree == 1);
+        if (lines == (index % 4 == 1) && !(same && f == g) && boxes_meet(f, g, c->dx, c->dy))
             return true;
     }
     return false;
@@ -165,9 +167,9 @@ int glyphs_write(FILE *stream, const char *fonts, const char *letters, uint64_t 
         int trial = 0;
         do
             choose_outlines(&l, index, &r, &c);
-        while (!choose_segments(&l, &r, &c) && ++trial < 1000);
+        while (!choose_segments(&l, index, &r, &c) && ++trial < 1000);
         if (trial == 1000) {
-            snprintf(why, 512, "no two segments of these letters meet, lines apart");
+            snprintf(why, 512, "no two curves of these letters, or no line and curve, meet");
             status = 2;
         } else {
             put_case(stream, &l, &c, seed, index);
