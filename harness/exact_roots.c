@@ -48,13 +48,28 @@ void real_root_set_exact(struct real_root *r, const fmpq_t value)
     arb_set_fmpq(r->ball, value, RATIONAL_PREC);
 }
 
+/* Exact: by balls of growing precision, and where these hold 0 for long by exact evaluation. */
 static int sign_at(const fmpz_poly_t p, const fmpq_t x)
 {
-    fmpq_t y;
-    fmpq_init(y);
-    fmpz_poly_evaluate_fmpq(y, p, x);
-    int sign = fmpq_sgn(y);
-    fmpq_clear(y);
+    arb_t b, v;
+    int sign = 0;
+    slong limit = 2 * labs(fmpz_poly_max_bits(p)) + 64 * fmpz_poly_length(p);
+    arb_init(b);
+    arb_init(v);
+    for (slong prec = 128; prec < limit && sign == 0; prec *= 2) {
+        arb_set_fmpq(b, x, prec);
+        arb_fmpz_poly_evaluate_arb_horner(v, p, b, prec);
+        sign = arb_is_positive(v) ? 1 : arb_is_negative(v) ? -1 : 0;
+    }
+    if (sign == 0) {
+        fmpq_t y;
+        fmpq_init(y);
+        fmpz_poly_evaluate_fmpq(y, p, x);
+        sign = fmpq_sgn(y);
+        fmpq_clear(y);
+    }
+    arb_clear(b);
+    arb_clear(v);
     return sign;
 }
 
