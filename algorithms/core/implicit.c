@@ -126,28 +126,28 @@ static void expand_minors(int d, int e, const real *m, int first, int step, int 
     }
 }
 
-real implicit_unscale(int n, const real *scaled, real *c)
+void implicit_unscale(int n, const real *scaled, real *c, real *error)
 {
-    real most = 0, factor = 1;
-    const real *error = scaled + n + 1;
+    real factor = 1;
     for (int k = 0; k <= n; k++) {
         c[k] = scaled[k] / factor;
-        most = real_max(most, error[k] / factor + (2 * n + 1) * (REAL_EPSILON / 2) * real_abs(c[k]));
+        error[k] = scaled[n + 1 + k] / factor + (2 * n + 1) * (REAL_EPSILON / 2) * real_abs(c[k]);
+        error[k] += error[k] / 64;                       /* the rounding of the bound itself */
         factor = factor * (real)(n - k) / (real)(k + 1); /* 2u each */
     }
-    return most + most / 64; /* the rounding of the bound itself */
 }
 
-real implicit_resultant(const struct polygon *a, const struct polygon *b, real *scratch, real *c)
+void implicit_resultant(const struct polygon *a, const struct polygon *b, real *scratch, real *c, real *error)
 {
     const int d = a->degree, e = b->degree, pitch = 2 * (d * e + 1);
     if (d > MINORS_MAX) {
-        return implicit_by_nodes(a, b, scratch, c);
+        implicit_by_nodes(a, b, scratch, c, error);
+        return;
     }
     real *table = scratch + d * d * 2 * (e + 1);
     implicit_matrix(a, b, scratch);
     expand_minors(d, e, scratch, 0, 1, d, table);
-    return implicit_unscale(d * e, table + (size_t)((1 << d) - 1) * pitch, c);
+    implicit_unscale(d * e, table + (size_t)((1 << d) - 1) * pitch, c, error);
 }
 
 size_t implicit_scratch(int d, int e)
@@ -158,14 +158,14 @@ size_t implicit_scratch(int d, int e)
     return nodes > minors ? nodes : minors;
 }
 
-bool implicit_vanishes(int n, const real *c, real error)
+bool implicit_vanishes(int n, const real *c, const real *error)
 {
     bool vanishes = true;
     for (int i = 0; i <= n; i++) {
         if (!real_is_finite(c[i])) {
             return true;
         }
-        vanishes = vanishes && real_abs(c[i]) <= 4 * error;
+        vanishes = vanishes && real_abs(c[i]) <= 4 * error[i];
     }
     return vanishes;
 }

@@ -33,11 +33,12 @@ int implicit_degree_max(void);
  * its coefficients within the bound if they err as control points; if they err as points, then so has, for
  * each u, the polynomial of b moved by their difference at u.  In both cases v is among its roots if a(u) =
  * b(v).  a.degree <= implicit_degree_max(). */
-real implicit_resultant(const struct polygon *a, const struct polygon *b, real *scratch, real *c);
+void implicit_resultant(const struct polygon *a, const struct polygon *b, real *scratch, real *c,
+                        real *error);
 size_t implicit_scratch(int d, int e); /* also for all lower degrees, and for implicit_invert */
 
-/* Every coefficient drowns in the error: the curves overlap, or one is written in too high a degree. */
-bool implicit_vanishes(int n, const real *c, real error);
+/* Every coefficient drowns in its error: the curves overlap, or one is written in too high a degree. */
+bool implicit_vanishes(int n, const real *c, const real *error);
 
 /* All u in [0, 1] for which a may pass within `radius` of (x, y) in each coordinate lie in [*lo, *hi] if
  * INVERTED; NOWHERE: there is none.  AMBIGUOUS: M may have a null space of dimension 2 there, as at a double
@@ -50,9 +51,9 @@ enum inversion implicit_invert(const struct polygon *a, real x, real y, real rad
  * + 1 bounds of their errors.  The entry (k, l), k <= l, of M(b(v)) is m + (k d + l) 2 (e + 1), in scaled
  * Bernstein form: coefficients times C(e, q). */
 void implicit_matrix(const struct polygon *a, const struct polygon *b, real *m);
-real implicit_by_nodes(const struct polygon *a, const struct polygon *b, real *scratch, real *c);
+void implicit_by_nodes(const struct polygon *a, const struct polygon *b, real *scratch, real *c, real *error);
 size_t implicit_by_nodes_scratch(int d, int e);
-/* From scaled coefficients with bounds to Bernstein coefficients with one bound. */
-real implicit_unscale(int n, const real *scaled, real *c);
+/* From scaled form to Bernstein coefficients. */
+void implicit_unscale(int n, const real *scaled, real *c, real *error);
 
 #endif

@@ -133,23 +133,23 @@ static void interpolate(int n, const real *z, real *f)
     }
 }
 
-real implicit_by_nodes(const struct polygon *a, const struct polygon *b, real *scratch, real *c)
+void implicit_by_nodes(const struct polygon *a, const struct polygon *b, real *scratch, real *c, real *error)
 {
     const int n = a->degree * b->degree;
-    real *m = scratch, *z = m + 2 * a->degree * a->degree, *value = z + n + 1, *error = value + n + 1;
+    real *m = scratch, *z = m + 2 * a->degree * a->degree, *value = z + n + 1, *off = value + n + 1;
     for (int i = 0; i <= n; i++) {
         double angle = (2 * i + 1) * (3.14159265358979 / (4 * n + 4)); /* exact nodes need no exact angles */
         real ball[2];
         z[i] = tan(angle) * tan(angle); /* v = sin^2: the zeros of a Chebyshev polynomial */
         value_at(a, b, z[i], m, ball);
         value[i] = ball[0];
-        error[i] = ball[1] + (4 * n) * REAL_EPSILON * real_abs(ball[0]);
-        error[i] = i % 2 ? -error[i] : error[i];
+        off[i] = ball[1] + (4 * n) * REAL_EPSILON * real_abs(ball[0]);
+        off[i] = i % 2 ? -off[i] : off[i];
     }
     interpolate(n, z, value);
-    interpolate(n, z, error);
+    interpolate(n, z, off);
     for (int i = 0; i <= n; i++) {
-        error[i] = real_abs(error[i]);
+        off[i] = real_abs(off[i]);
     }
-    return implicit_unscale(n, value, c);
+    implicit_unscale(n, value, c, error);
 }

@@ -6,7 +6,7 @@ enum { STACK_MAX = REAL_BITS + 16 }; /* intervals waiting: one for each halving 
 
 size_t roots_scratch(int n)
 {
-    return (size_t)n + 1 + 2 * STACK_MAX;
+    return 3 * ((size_t)n + 1) + 2 * STACK_MAX;
 }
 
 /* Left end, times n, of {hull of (i, sign c[i] - error) is not above 0}, if sign c[0] > error; else 0.  It
@@ -55,12 +55,12 @@ static bool clip(int n, const real *c, real error, real *lo, real *hi)
     return true;
 }
 
-/* Most sign changes of any sequence within `error` of c. */
-static int sign_changes(int n, const real *c, real error)
+/* Most sign changes of any sequence within the errors of c. */
+static int sign_changes(int n, const real *c, const real *error)
 {
     int changes = 0, last = 0;
     for (int i = 0; i <= n; i++) {
-        int sign = c[i] > error ? 1 : c[i] < -error ? -1 : 0;
+        int sign = c[i] > error[i] ? 1 : c[i] < -error[i] ? -1 : 0;
         if (sign == 0) {
             changes++; /* it may differ from what stands before; before the first, from what comes after */
             last = -last;
@@ -81,23 +81,42 @@ static real largest(int n, const real *c)
     return most;
 }
 
+/* The polynomial between errors, and room for its coefficients and errors over a cell.  `noise` bounds the
+ * errors over [0, 1]; it contains those of cutting, 8n u |c| (bernstein.h), and passes through the cut as |c|
+ * does. */
+struct band {
+    int n;
+    const real *c;
+    real *error, *cut, *cut_error;
+    real noise;
+};
+
+/* Errors of the coefficients over a cell; returns the largest. */
+static real cut_errors(const struct band *b, real lo, real hi)
+{
+    bernstein_restrict(b->n, 1, b->error, lo, hi, b->cut_error);
+    return largest(b->n, b->cut_error);
+}
+
 /* Counts roots over intervals around r, wider and wider, up to the neighbours: close to a root of
  * multiplicity k all coefficients drown in the error, farther off k sign changes stand out. */
-static void count_roots(int n, const real *c, real error, real left, real right, real *scratch,
-                        struct root *r)
+static void count_roots(const struct band *b, real left, real right, struct root *r)
 {
+    const int n = b->n;
     real reach = real_max(r->hi - r->lo, 4 * REAL_EPSILON);
     r->at_most = n;
     r->single = false;
-    for (bool all = false; !all && r->at_most > 1; reach = 8 * reach) {
+    for (bool all = false; !all && !r->single; reach = 8 * reach) {
         real lo = r->lo - reach, hi = r->hi + reach;
         all = lo <= left && hi >= right;
         lo = real_max(lo, left);
         hi = real_min(hi, right);
-        bernstein_restrict(n, 1, c, lo, hi, scratch);
-        int most = sign_changes(n, scratch, error);
+        bernstein_restrict(n, 1, b->c, lo, hi, b->cut);
+        cut_errors(b, lo, hi);
+        int most = sign_changes(n, b->cut, b->cut_error);
         r->at_most = most < r->at_most ? most : r->at_most;
-        r->single = most == 1 && real_abs(scratch[0]) > error && real_abs(scratch[n]) > error;
+        r->single =
+            most == 1 && real_abs(b->cut[0]) > b->cut_error[0] && real_abs(b->cut[n]) > b->cut_error[n];
     }
 }
 
@@ -112,25 +131,48 @@ static int keep(real lo, real hi, int count, int room, struct root *out)
     return count + 1;
 }
 
-/* Every cell is cut from c itself between its exact ends: 8n u max|c| once (bernstein.h), whatever the depth.
- */
-int roots_find(int n, const real *c, real error, real tolerance, real *scratch, int room, struct root *out)
+/* Narrows a cell; 0: it is empty, 1: it may become narrower yet, 2: the errors forbid it.  Errors over the
+ * cell itself are looked at where those over [0, 1] are too large. */
+static int shrink(const struct band *b, real *lo, real *hi)
 {
-    real *q = scratch, *stack = scratch + n + 1;
+    const real left = *lo, right = *hi;
+    bernstein_restrict(b->n, 1, b->c, left, right, b->cut);
+    if (!clip(b->n, b->cut, b->noise, lo, hi)) {
+        return 0;
+    }
+    real size = largest(b->n, b->cut);
+    if (size > 8 * b->noise) {
+        return 1;
+    }
+    real noise = cut_errors(b, left, right);
+    *lo = left;
+    *hi = right;
+    return !clip(b->n, b->cut, noise, lo, hi) ? 0 : size > 2 * noise ? 1 : 2;
+}
+
+/* Every cell is cut from c itself between its exact ends, so that rounding does not grow with the depth. */
+int roots_find(int n, const real *c, const real *error, real tolerance, real *scratch, int room,
+               struct root *out)
+{
+    struct band b = {n, c, scratch, scratch + n + 1, scratch + 2 * (n + 1), 0};
+    real *stack = scratch + 3 * (n + 1);
     int waiting = 1, count = 0;
-    const real noise = error + 4 * n * REAL_EPSILON * largest(n, c);
+    for (int i = 0; i <= n; i++) {
+        b.error[i] = error[i] + 4 * n * REAL_EPSILON * real_abs(c[i]);
+        b.error[i] += b.error[i] / 64; /* the rounding of the bounds themselves, and of cutting them */
+    }
+    b.noise = largest(n, b.error);
     stack[0] = 0;
     stack[1] = 1;
     while (waiting > 0) {
-        real lo = stack[2 * --waiting], hi = stack[2 * waiting + 1];
-        bernstein_restrict(n, 1, c, lo, hi, q);
-        real width = hi - lo;
-        if (!clip(n, q, noise, &lo, &hi)) {
+        real lo = stack[2 * --waiting], hi = stack[2 * waiting + 1], width = hi - lo;
+        int may_shrink = shrink(&b, &lo, &hi);
+        if (may_shrink == 0) {
             continue;
         }
         real middle = lo + (hi - lo) / 2;
         bool stuck = waiting + 2 > STACK_MAX || middle <= lo || middle >= hi;
-        if (hi - lo <= tolerance || stuck || largest(n, q) <= 2 * noise) {
+        if (hi - lo <= tolerance || stuck || may_shrink == 2) {
             count = keep(lo, hi, count, room, out);
             continue;
         }
@@ -143,8 +185,7 @@ int roots_find(int n, const real *c, real error, real tolerance, real *scratch, 
         stack[2 * waiting++ + 1] = hi;
     }
     for (int i = 0; i < count; i++) {
-        real left = i > 0 ? out[i - 1].hi : 0, right = i + 1 < count ? out[i + 1].lo : 1;
-        count_roots(n, c, noise, left, right, q, &out[i]);
+        count_roots(&b, i > 0 ? out[i - 1].hi : 0, i + 1 < count ? out[i + 1].lo : 1, &out[i]);
     }
     return count;
 }

@@ -110,7 +110,8 @@ static int starts_from_line(const struct eigen *z, double v, double u[POINTS_MAX
     const struct curve *a = z->a_is_f ? &z->problem->f : &z->problem->g;
     const struct curve *b = z->a_is_f ? &z->problem->g : &z->problem->f;
     struct jet j = jet_at(b, v);
-    double x = j.value[0] / j.value[2], y = j.value[1] / j.value[2], c[POINTS_MAX], size = 0;
+    double x = j.value[0] / j.value[2], y = j.value[1] / j.value[2], c[POINTS_MAX], error[POINTS_MAX],
+           size = 0;
     double nx = -(j.slope[1] - y * j.slope[2]), ny = j.slope[0] - x * j.slope[2];
     struct root root[POINTS_MAX];
     for (int i = 0; i <= a->degree; i++) {
@@ -118,7 +119,10 @@ static int starts_from_line(const struct eigen *z, double v, double u[POINTS_MAX
         c[i] = nx * (a->x[i] - w * x) + ny * (a->y[i] - w * y);
         size = fmax(size, fabs(c[i]));
     }
-    int count = roots_find(a->degree, c, size * REACH * REACH, REACH, z->scratch, POINTS_MAX, root);
+    for (int i = 0; i <= a->degree; i++) {
+        error[i] = size * REACH * REACH;
+    }
+    int count = roots_find(a->degree, c, error, REACH, z->scratch, POINTS_MAX, root);
     for (int i = 0; i < count; i++) {
         u[i] = (root[i].lo + root[i].hi) / 2;
     }
@@ -243,7 +247,8 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
     if (z.d > implicit_degree_max()) {
         return UNSUPPORTED;
     }
-    double error = implicit_resultant(&z.a->polygon, &z.b->polygon, z.scratch + n + 1, z.scratch);
+    double *error = z.scratch + n + 1;
+    implicit_resultant(&z.a->polygon, &z.b->polygon, error + n + 1, z.scratch, error);
     if (implicit_vanishes((int)n, z.scratch, error)) {
         return UNSUPPORTED; /* a singular pencil: any number is an eigenvalue */
     }
@@ -261,7 +266,7 @@ static size_t scratch(int n, int m)
 {
     int d = n < m ? n : m, e = n < m ? m : n;
     size_t resultant = implicit_scratch(d < implicit_degree_max() ? d : implicit_degree_max(), e);
-    return (size_t)(n * m) + 1 + resultant + roots_scratch(e);
+    return 2 * ((size_t)(n * m) + 1) + resultant + roots_scratch(e);
 }
 
 const struct intersector resultant_eigen = {
