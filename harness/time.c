@@ -64,7 +64,7 @@ static int time_family(const char *family, int pairs, const struct loaded_case *
     timing_run(pairs, at, n, contender, &s->plan, memory, timing, &left_out);
     for (int k = 0; k < n; k++) {
         timed += timing[k].pairs > 0;
-        if (!timing[k].pairs && left_out < pairs)
+        if (!timing[k].pairs && left_out < pairs && !s->human)
             progress_note("%s: %s %s: not timed: %s", family, contender[k].name, REAL_NAME,
                           timing[k].why_not);
     }

@@ -13,26 +13,22 @@
 
 static const char documentation[] =
     "Times intersection algorithms on the case lines of FILEs (- or none: standard input).\v"
-    "Every algorithm is first judged on every pair. One that misses a root is not timed on that family, and "
-    "its "
-    "row says so; the others are timed on the pairs that all of them got right. Ambiguous pairs and pairs "
-    "without "
+    "Every algorithm is first judged on every pair. One that misses a root is not timed on that "
+    "family, nor is one that is right on fewer than half of its pairs, and the row says so; the "
+    "others are timed on the pairs that all of them got right. Ambiguous pairs and pairs without "
     "a known answer are left out.\n\n"
-    "A sample is a number of passes over all these pairs, long enough for the clock, in ns a pair (CPU "
-    "time). In "
-    "each round every algorithm gives one sample, in an order drawn anew, so that ratios are taken between "
-    "neighbours in time. ns_min, ns_median and ns_mad (median absolute deviation, unscaled) are over "
-    "samples, "
-    "ns_lo and ns_hi bound a 95 percent bootstrap interval of the median; ns_max is the shortest time of the "
-    "slowest single pair, worst_id. External programs are timed in wall-clock time around their pipe, one "
-    "line "
-    "after the other (protocol \"pipe\"); no ratio is taken between the two protocols.\n\n"
-    "The branch predictor learns a set of few pairs by heart: compare times of sets of similar size.\n\n"
-    "Rows are JSON, one a line, after one line on the circumstances; on a terminal, or with --human, a "
-    "table. "
-    "Exit status: 0, 1 if nothing could be timed, 2 on an input or output error, 64 on wrong usage, 65 on "
-    "bad "
-    "data.";
+    "A sample is a number of passes over all these pairs, long enough for the clock, in ns a pair "
+    "(CPU time). In each round every algorithm gives one sample, in an order drawn anew, so that "
+    "ratios are taken between neighbours in time. ns_min, ns_median and ns_mad (median absolute "
+    "deviation, unscaled) are over samples, ns_lo and ns_hi bound a 95 percent bootstrap interval "
+    "of the median; ns_max is the shortest time of the slowest single pair, worst_id. External "
+    "programs are timed in wall-clock time around their pipe, one line after the other (protocol "
+    "\"pipe\"); no ratio is taken between the two protocols.\n\n"
+    "The branch predictor learns a set of few pairs by heart: compare times of sets of similar "
+    "size.\n\n"
+    "Rows are JSON, one a line, after one line on the circumstances; on a terminal, or with "
+    "--human, a table. Exit status: 0, 1 if nothing could be timed, 2 on an input or output "
+    "error, 64 on wrong usage, 65 on bad data.";
 
 enum { TOLERANCE = 256, MAX_STEPS, ROUNDS, SECONDS, PIN, FAMILY_BY, UNCHECKED, HUMAN, ROWS, SEED, TIMEOUT };
 
@@ -45,9 +41,8 @@ static const struct argp_option options[] = {
     {"max-steps", MAX_STEPS, "N", 0, "step limit (100000)", 0},
     {"rounds", ROUNDS, "N", 0, "samples of each algorithm, at most (51)", 0},
     {"seconds", SECONDS, "S", 0,
-     "time allowed for the rounds of a family (10; 0: no limit); at least 5 rounds are done, on every so "
-     "manieth "
-     "pair if need be",
+     "time allowed for the rounds of a family (10; 0: no limit); 5 rounds at least, on fewer pairs if "
+     "need be",
      0},
     {"seed", SEED, "N", 0, "of the order within the rounds and of the bootstrap (1)", 0},
     {"pin", PIN, "CPU", 0, "run on this processor only; `none` (the default): wherever the system likes", 0},

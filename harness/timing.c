@@ -157,29 +157,36 @@ static int weakest(const struct results *r, const struct timing *timing)
     return least;
 }
 
+static void leave_out(struct results *r, const struct work *work, struct timing *timing, int k)
+{
+    struct timing *t = &timing[k];
+
+    r->in[k] = false;
+    if (t->missing)
+        snprintf(t->why_not, sizeof t->why_not, "missed a root of %d of %d pairs, first %s", t->missing, t->judged,
+                 t->first_missing);
+    else
+        snprintf(t->why_not, sizeof t->why_not, "right on only %d of %d pairs%s", t->right, t->judged,
+                 work[k].failure);
+}
+
 /* Settles who is timed, and on which pairs; returns how many those are. */
 static int choose(struct results *r, const struct work *work, struct timing *timing, int *common)
 {
-    int count;
-
     for (int k = 0; k < r->contenders; k++) {
-        r->in[k] = timing[k].missing == 0;
-        if (!r->in[k])
-            snprintf(timing[k].why_not, sizeof timing[k].why_not, "missed a root of %d of %d pairs, first %s",
-                     timing[k].missing, timing[k].judged, timing[k].first_missing);
+        r->in[k] = true;
+        if (timing[k].missing || 2 * timing[k].right < timing[k].judged)
+            leave_out(r, work, timing, k);
     }
     for (;;) {
-        int out = weakest(r, timing);
+        int out = weakest(r, timing), count = 0;
 
-        count = 0;
         for (int i = 0; i < r->pairs; i++)
             if (is_common(r, i))
                 common[count++] = i;
-        if (out < 0 || (count > 0 && 2 * count >= r->pairs))
+        if (out < 0 || count > 0)
             return out < 0 ? 0 : count;
-        r->in[out] = false;
-        snprintf(timing[out].why_not, sizeof timing[out].why_not, "right on only %d of %d pairs%s",
-                 timing[out].right, timing[out].judged, work[out].failure);
+        leave_out(r, work, timing, out);
     }
 }
 

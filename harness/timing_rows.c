@@ -144,7 +144,7 @@ static void write_table_line(FILE *stream, const struct contender *contender, co
         return;
     }
     range = statistics_bootstrap_median(n, t->samples.ns, level, seed);
-    fprintf(stream, "%11s  %11s .. %-11s %6.1f%% %9.1f %11s",
+    fprintf(stream, "%6d %11s  %11s .. %-11s %6.1f%% %9.1f %11s", t->right,
             time_text(statistics_median(n, t->samples.ns), median), time_text(range.lo, lo),
             time_text(range.hi, hi),
             100 * statistics_mad(n, t->samples.ns) / statistics_median(n, t->samples.ns), t->steps,
@@ -173,7 +173,7 @@ void timing_table_write(FILE *stream, const char *family, int pairs, int left_ou
             real_to_double(plan->tolerance), timed, pairs, rounds);
     if (left_out)
         fprintf(stream, "; %d ambiguous or without a known answer", left_out);
-    fprintf(stream, "\n%-24s %11s  %26s %7s %9s %11s", "algorithm", "median", "95% interval      ", "MAD",
+    fprintf(stream, "\n%-24s %6s %11s  %26s %7s %9s %11s", "algorithm", "right", "median", "95% interval      ", "MAD",
             "steps", "slowest");
     if (baseline >= 0)
         fprintf(stream, "  ratio to %-19s", contender[baseline].name);
