@@ -131,38 +131,54 @@ static int starts_from_line(const struct eigen *z, double v, double u[POINTS_MAX
 
 /* ---- Newton's method ---- */
 
-/* From p to a zero of f - g; false if it does not get there. At a double zero the steps only halve. */
+/* f - g at p, homogeneous, in `r`; Newton's step, or where the Jacobian is singular the shortest step that
+ * lowers |f - g|.  Returns max |f - g|, in Euclidean coordinates. */
+static double newton_step(const struct problem *q, const struct point *p, double step[2])
+{
+    struct jet f = jet_at(&q->f, p->t), g = jet_at(&q->g, p->s);
+    double r[2], t[2], s[2], size = 0;
+    for (int k = 0; k < 2; k++) {
+        r[k] = f.value[k] * g.value[2] - g.value[k] * f.value[2];
+        t[k] = f.slope[k] * g.value[2] - g.value[k] * f.slope[2];
+        s[k] = f.value[k] * g.slope[2] - g.slope[k] * f.value[2];
+        size += t[k] * t[k] + s[k] * s[k];
+    }
+    double det = t[0] * s[1] - t[1] * s[0];
+    step[0] = det != 0 ? -(r[0] * s[1] - r[1] * s[0]) / det : -(t[0] * r[0] + t[1] * r[1]) / size;
+    step[1] = det != 0 ? -(t[0] * r[1] - t[1] * r[0]) / det : -(s[0] * r[0] + s[1] * r[1]) / size;
+    return fmax(fabs(r[0]), fabs(r[1])) / fabs(f.value[2] * g.value[2]);
+}
+
+/* From p to the point of least |f - g| on the way of Newton's method, damped while it would grow; is it a
+ * zero, to rounding?  p->step: the step from there.  At a double zero steps halve, until rounding sends them
+ * anywhere. */
 static bool polish(const struct problem *q, struct point *p)
 {
-    double residual = 1, weight = 1;
-    for (int round = 0; round < 40; round++) {
-        struct jet f = jet_at(&q->f, p->t), g = jet_at(&q->g, p->s);
-        double r[2], jt[2], js[2];
-        for (int k = 0; k < 2; k++) {
-            r[k] = f.value[k] * g.value[2] - g.value[k] * f.value[2];
-            jt[k] = f.slope[k] * g.value[2] - g.value[k] * f.slope[2];
-            js[k] = f.value[k] * g.slope[2] - g.slope[k] * f.value[2];
-        }
-        residual = fmax(fabs(r[0]), fabs(r[1]));
-        weight = f.value[2] * g.value[2];
-        double det = jt[0] * js[1] - jt[1] * js[0];
-        if (det == 0 || residual == 0) {
-            p->step = residual == 0 ? 0 : p->step;
+    double step[2], next[2], least = newton_step(q, p, step);
+    for (int round = 0; round < 100; round++) {
+        p->step = fabs(step[0]) + fabs(step[1]);
+        if (!(p->step > 2 * REAL_EPSILON) || least == 0) {
             break;
         }
-        double dt = -(r[0] * js[1] - r[1] * js[0]) / det, ds = -(jt[0] * r[1] - jt[1] * r[0]) / det;
-        if (!(fabs(dt) + fabs(ds) < 0.5) || fabs(p->t - 0.5) > 1 || fabs(p->s - 0.5) > 1) {
-            return false;
+        double scale = p->step < 0.25 ? 1 : 0.25 / p->step;
+        struct point here = {p->t + scale * step[0], p->s + scale * step[1], p->step};
+        double residual = newton_step(q, &here, next);
+        for (int halved = 0; !(residual < least) && halved < 4; halved++) {
+            scale *= 0.25;
+            here.t = p->t + scale * step[0];
+            here.s = p->s + scale * step[1];
+            residual = newton_step(q, &here, next);
         }
-        p->t += dt;
-        p->s += ds;
-        p->step = fabs(dt) + fabs(ds);
-        if (p->step < 4 * REAL_EPSILON) {
+        if (!(residual < least)) {
             break;
         }
+        least = residual;
+        *p = here;
+        step[0] = next[0];
+        step[1] = next[1];
     }
     int n = q->f.degree > q->g.degree ? q->f.degree : q->g.degree;
-    return residual <= 16 * n * REAL_EPSILON * q->bounds.scale * weight;
+    return least <= 16 * n * REAL_EPSILON * q->bounds.scale;
 }
 
 /* Adds p unless it lies outside by more than the tolerance, or is on record already. */
