@@ -72,7 +72,7 @@ static json_t *row_of(const struct test_case *c, const struct answer *a, const s
                   {"undecided", v->undecided}};
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
         json_object_set_new(row, counts[i].name, json_integer(counts[i].value));
-    json_object_set_new(row, "max_error", v->found ? number_or_null(v->max_error) : json_null());
+    json_object_set_new(row, "max_error", number_or_null(v->max_error));
     json_object_set_new(row, "ambiguous", json_boolean(c->ambiguous));
     json_object_set_new(row, "steps", json_integer(a->steps));
     if (a->points_only)

@@ -193,7 +193,7 @@ struct judgement judge(const struct test_case *c, const struct problem *p, const
     struct court q = {c, p, a, tol, a->outcome == SOLVED};
     struct judgement *v = &q.verdict;
 
-    v->missed_t = v->extra_t = NAN;
+    v->missed_t = v->extra_t = v->max_error = NAN;
     if (!c->expected.known) {
         v->verdict = a->outcome == UNSUPPORTED || a->outcome == INVALID ? NOT_TAKEN : UNJUDGED;
         return q.verdict;

@@ -37,8 +37,9 @@ enum verdict {
 struct judgement {
     enum verdict verdict;
     int expected, found, missed, extra, duplicate, merged, undecided;
-    double max_error;         /* largest distance of a found solution from the middle of its group, in either
-                                 parameter */
+    /* Largest distance of a found solution from the middle of its group, in either parameter; NAN: none
+     * found. */
+    double max_error;
     double missed_t, extra_t; /* where the first was missed, and one too many; NAN: none */
 };
 
