@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "core/interval.h"
 #include "core/real.h"
 
 enum {
@@ -15,11 +16,6 @@ enum {
     OVERLAPS_MAX = 16,
     WORKSPACE_ROOM = 512, /* cells that may wait at once, unless the caller asks for more */
     STEPS_MAX = 100000    /* the step limit unless the caller asks for another */
-};
-
-/* lo <= hi, closed. */
-struct interval {
-    real lo, hi;
 };
 
 /* A planar Bezier curve over `domain`: homogeneous Bernstein coefficients x[i] = w_i X_i, y[i] = w_i Y_i,

@@ -20,12 +20,12 @@ struct expansion {
     real value[2], error[2], jacobian[2][2], change[2][2];
 };
 
-static const real *component(const struct curve *c, int k)
+static const real *component(const struct arc *c, int k)
 {
     return k == 0 ? c->x : k == 1 ? c->y : c->w;
 }
 
-static struct shape shape_of(const struct curve *c)
+static struct shape shape_of(const struct arc *c)
 {
     const int n = c->degree;
     struct shape h = {{0, 0, 0}, 0, 1};
@@ -34,6 +34,7 @@ static struct shape shape_of(const struct curve *c)
         h.extent = real_max(h.extent, c->w ? size / c->w[i] : size);
         h.weight = c->w ? real_max(h.weight, c->w[i]) : h.weight;
     }
+    h.extent = h.extent > 0 ? h.extent : (real)1;
     for (int k = 0; k < (c->w ? 3 : 2); k++) {
         const real *p = component(c, k);
         for (int i = 0; i + 2 <= n; i++) {
@@ -41,25 +42,29 @@ static struct shape shape_of(const struct curve *c)
             h.second[k] = real_max(h.second[k], bend);
         }
         /* rounding of the differences, and growth below 4/3 up to 1/(8n) past the ends */
-        h.second[k] = n * (n - 1) * (h.second[k] + 8 * REAL_EPSILON * h.weight * (h.extent + 1)) * 4 / 3;
+        real rounding = (k < 2 ? h.extent : (real)1) * 8 * REAL_EPSILON;
+        real input = k < 2 ? 4 * c->error : 4 * c->error / h.extent;
+        h.second[k] = n * (n - 1) * (h.second[k] + h.weight * (rounding + input)) * 4 / 3;
     }
     return h;
 }
 
-/* |x_i| <= extent w_i, so |x|(t) <= extent w(t): value errors 3n u |x|(t) plus u |x|(t) of the input. */
-static struct jet jet_at(const struct curve *c, const struct shape *h, real t)
+/* |x_i| <= extent w_i, so |x|(t) <= extent w(t): values err by 3n u extent w(t), and by (error / 2) w(t) of
+ * the input (arc.h; all of it for polynomial curves), weights by the same over extent. */
+static struct jet jet_at(const struct arc *c, const struct shape *h, real t)
 {
     const int n = c->degree;
     const real u = REAL_EPSILON / 2;
     struct jet j = {{0, 0, 1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-    real scratch[DEGREE_MAX + 1];
+    real scratch[KRAWCZYK_DEGREE_MAX + 1];
     for (int k = 0; k < (c->w ? 3 : 2); k++) {
         j.value[k] = bernstein_value_slope(n, component(c, k), t, scratch, &j.slope[k]);
     }
     for (int k = 0; k < (c->w ? 3 : 2); k++) {
-        real size = k < 2 ? h->extent : 1;
-        j.error[k] = (3 * n + 2) * u * size * j.value[2];
-        j.slope_error[k] = 2 * n * (3 * n + 2) * u * size * h->weight;
+        real size = k < 2 ? (real)1 : 1 / h->extent;
+        real relative = size * ((3 * n + 2) * u * h->extent + c->error);
+        j.error[k] = relative * j.value[2];
+        j.slope_error[k] = 2 * n * relative * h->weight;
     }
     return j;
 }
@@ -91,8 +96,8 @@ static real derivative(int k, const struct jet *f, const struct shape *hf, real 
     return first - second;
 }
 
-static void expand(const struct curve *f, const struct curve *g, const struct shape h[2],
-                   const real centre[2], const real radius[2], struct expansion *e)
+static void expand(const struct arc *f, const struct arc *g, const struct shape h[2], const real centre[2],
+                   const real radius[2], struct expansion *e)
 {
     struct jet a = jet_at(f, &h[0], centre[0]), b = jet_at(g, &h[1], centre[1]);
     for (int k = 0; k < 2; k++) {
@@ -148,8 +153,8 @@ static bool operate(const struct expansion *e, const real radius[2], real shift[
 }
 
 /* One test of a box.  ONE_ZERO: the box is replaced by a narrower one. */
-static enum proof test_box(const struct curve *f, const struct curve *g, const struct shape h[2],
-                           real centre[2], real radius[2])
+static enum proof test_box(const struct arc *f, const struct arc *g, const struct shape h[2], real centre[2],
+                           real radius[2])
 {
     struct expansion e;
     real shift[2], spread[2], noise[2];
@@ -177,7 +182,7 @@ static enum proof test_box(const struct curve *f, const struct curve *g, const s
 
 /* Centre after two steps of Newton's method, unless they lead away; radius to cover the box, and some more.
  */
-static void choose_box(const struct curve *f, const struct curve *g, const struct shape h[2],
+static void choose_box(const struct arc *f, const struct arc *g, const struct shape h[2],
                        const struct interval *box[2], real centre[2], real radius[2])
 {
     real near[2], nowhere[2] = {0, 0}, noise[2] = {0, 0};
@@ -207,8 +212,7 @@ static void choose_box(const struct curve *f, const struct curve *g, const struc
     }
 }
 
-enum proof krawczyk_narrow(const struct curve *f, const struct curve *g, struct interval *t,
-                           struct interval *s)
+enum proof krawczyk_narrow(const struct arc *f, const struct arc *g, struct interval *t, struct interval *s)
 {
     const struct shape h[2] = {shape_of(f), shape_of(g)};
     const struct interval *box[2] = {t, s};

@@ -3,16 +3,17 @@
 #ifndef FATLINE_KRAWCZYK_H
 #define FATLINE_KRAWCZYK_H
 
-#include "../bezier.h"
+#include "arc.h"
+#include "interval.h"
 
 /* NO_ZERO: none in the given box.  ONE_ZERO: some box that contains the given one holds exactly one zero of
  * the pair (extended past its ends as polynomials, or as quotients of them), and it lies in the box returned,
  * which is as narrow as rounding allows, may reach past [0, 1], and meets the given one.  UNDECIDED: nothing
  * is proved.
  *
- * f and g are over [0, 1]; homogeneous coordinates of a rational curve may err by u, relatively. */
+ * Proved for all curves within the errors of f and g, of degree KRAWCZYK_DEGREE_MAX at most. */
+enum { KRAWCZYK_DEGREE_MAX = 32 };
 enum proof { UNDECIDED, NO_ZERO, ONE_ZERO };
-enum proof krawczyk_narrow(const struct curve *f, const struct curve *g, struct interval *t,
-                           struct interval *s);
+enum proof krawczyk_narrow(const struct arc *f, const struct arc *g, struct interval *t, struct interval *s);
 
 #endif

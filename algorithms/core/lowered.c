@@ -4,7 +4,7 @@
 #include "reduce.h"
 
 /* Does c look like a curve of lower degree?  Only its highest difference is tested. */
-static bool may_be_reduced(const struct curve *c, real scale)
+static bool may_be_reduced(const struct arc *c, real scale)
 {
     real top = 0, size = 0;
     for (int k = 0; k < (c->w ? 3 : 2); k++) {
@@ -21,7 +21,7 @@ static bool may_be_reduced(const struct curve *c, real scale)
 }
 
 /* Replaces c by its best approximation of degree k if the two are the same to rounding. */
-static bool reduce_to(int k, const struct curve *c, real scale, struct lowered *s)
+static bool reduce_to(int k, const struct arc *c, real scale, struct lowered *s)
 {
     const int n = c->degree;
     real memory[2 * POINTS_MAX * (REDUCED_MAX + 1)], residual[POINTS_MAX], off = 0, least = 1;
@@ -44,7 +44,7 @@ static bool reduce_to(int k, const struct curve *c, real scale, struct lowered *
     return s->polygon.error <= 32 * n * REAL_EPSILON * scale;
 }
 
-void lowered_init(const struct curve *c, real scale, struct lowered *s)
+void lowered_init(const struct arc *c, real scale, struct lowered *s)
 {
     int n = c->degree;
     s->components = c->w ? 3 : 2;
@@ -69,6 +69,6 @@ void lowered_init(const struct curve *c, real scale, struct lowered *s)
     s->polygon.x = s->euclidean;
     s->polygon.y = s->euclidean + n + 1;
     s->polygon.w = c->w ? h + 2 * (n + 1) : NULL;
-    s->polygon.error = s->reduced ? s->polygon.error : 0;
-    s->polygon.error += c->w ? 2 * REAL_EPSILON * s->extent : 0; /* products and quotients, rounded */
+    s->polygon.error = (s->reduced ? s->polygon.error : (real)0) + c->error;
+    s->polygon.error += c->w ? REAL_EPSILON * s->extent : 0; /* quotients, rounded */
 }

@@ -2,6 +2,7 @@
 #ifndef FATLINE_PATCH_H
 #define FATLINE_PATCH_H
 
+#include "interval.h"
 #include "lowered.h"
 
 /* An arc over [lo, hi]: a point of it or near, and how far its control points are from there; each coordinate

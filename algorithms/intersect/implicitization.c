@@ -18,7 +18,8 @@
 enum { ROOTS_MAX = DEGREE_MAX * DEGREE_MAX + 1 };
 
 struct state {
-    const struct problem *problem;
+    const struct bounds *bounds;
+    struct arc f, g;
     struct crossings *out;
     struct lowered side[2];
     const struct lowered *a, *b;
@@ -44,7 +45,7 @@ static bool is_known(const struct state *z, const struct interval *t, const stru
         if ((c->standing == UNIQUE || c->standing == END) && meet(&c->t, t) && meet(&c->s, s)) {
             struct interval a = {real_min(t->lo, c->t.lo), real_max(t->hi, c->t.hi)};
             struct interval b = {real_min(s->lo, c->s.lo), real_max(s->hi, c->s.hi)};
-            if (krawczyk_narrow(&z->problem->f, &z->problem->g, &a, &b) == ONE_ZERO) {
+            if (krawczyk_narrow(&z->f, &z->g, &a, &b) == ONE_ZERO) {
                 return true;
             }
         }
@@ -101,7 +102,7 @@ static enum proof settle(const struct state *z, struct interval *u, struct inter
         before = u->hi - u->lo + v->hi - v->lo;
         x->t = z->a_is_f ? *u : *v;
         x->s = z->a_is_f ? *v : *u;
-        proof = krawczyk_narrow(&z->problem->f, &z->problem->g, &x->t, &x->s);
+        proof = krawczyk_narrow(&z->f, &z->g, &x->t, &x->s);
         if (proof == UNDECIDED && (!clip_to_patch(z, z->a, u, z->b, z->tolerance_v / 8, v) ||
                                    !clip_to_patch(z, z->b, v, z->a, z->tolerance_u / 8, u))) {
             proof = NO_ZERO;
@@ -113,12 +114,11 @@ static enum proof settle(const struct state *z, struct interval *u, struct inter
 /* A box that stays undecided: a cluster where the resultant bounds the number of zeros. */
 static void add_undecided(struct state *z, const struct root *r, struct crossing *x)
 {
-    const struct bounds *bounds = &z->problem->bounds;
     real t = x->t.hi - x->t.lo, s = x->s.hi - x->s.lo;
     if (!z->a->reduced && !z->b->reduced && is_no_wider_than_conditioning(real_max(t, s), r->at_most)) {
         x->standing = CLUSTER;
         x->at_most = r->at_most;
-    } else if (t > bounds->tolerance_t || s > bounds->tolerance_s) {
+    } else if (t > z->bounds->tolerance_t || s > z->bounds->tolerance_s) {
         z->undecided = true;
     }
     crossings_add(z->out, x);
@@ -160,15 +160,24 @@ static void solve_root(struct state *z, const struct root *r)
     }
 }
 
+/* Products w x were rounded once: u |x| <= (eps scale / 2) w. */
+static struct arc arc_of_curve(const struct curve *c, real scale)
+{
+    struct arc a = {c->degree, c->x, c->y, c->w, c->w ? REAL_EPSILON * scale : (real)0};
+    return a;
+}
+
 static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
 {
     struct state z;
     struct root root[ROOTS_MAX];
-    z.problem = p;
+    z.bounds = &p->bounds;
+    z.f = arc_of_curve(&p->f, p->bounds.scale);
+    z.g = arc_of_curve(&p->g, p->bounds.scale);
     z.out = out;
     z.undecided = false;
-    lowered_init(&p->f, p->bounds.scale, &z.side[0]);
-    lowered_init(&p->g, p->bounds.scale, &z.side[1]);
+    lowered_init(&z.f, p->bounds.scale, &z.side[0]);
+    lowered_init(&z.g, p->bounds.scale, &z.side[1]);
     z.a_is_f = z.side[0].polygon.degree <= z.side[1].polygon.degree;
     z.a = &z.side[!z.a_is_f];
     z.b = &z.side[z.a_is_f];
@@ -210,7 +219,7 @@ const struct intersector implicitization = {
     "implicitization",
     "resultant in Bernstein form, its roots, inversion; every box proved or owned up to",
     "T. W. Sederberg, S. R. Parry: Comparison of three curve intersection algorithms, 1986",
-    {2, 1, 2.0 / 3, 1},
+    {0, 0, 0, 0},
     intersect,
     scratch,
     false,

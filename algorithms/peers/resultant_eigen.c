@@ -253,8 +253,10 @@ static enum outcome solve_pencil(const struct eigen *z, double *memory)
 static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
 {
     struct lowered side[2];
-    lowered_init(&p->f, p->bounds.scale, &side[0]);
-    lowered_init(&p->g, p->bounds.scale, &side[1]);
+    const struct arc f = {p->f.degree, p->f.x, p->f.y, p->f.w, 0},
+                     g = {p->g.degree, p->g.x, p->g.y, p->g.w, 0};
+    lowered_init(&f, p->bounds.scale, &side[0]);
+    lowered_init(&g, p->bounds.scale, &side[1]);
     bool a_is_f = side[0].polygon.degree <= side[1].polygon.degree;
     struct eigen z = {p, out, &side[!a_is_f], &side[a_is_f], a_is_f, 0, 0, w->scratch};
     z.d = z.a->polygon.degree;
@@ -289,7 +291,7 @@ const struct intersector resultant_eigen = {
     "resultant_eigen",
     "eigenvalues of the Bezout matrix polynomial (LAPACK), Newton; points without proof",
     "D. Manocha, J. Demmel: Algorithms for intersecting parametric and algebraic curves I, 1994",
-    {2, 1, 1, 1},
+    {0, 0, 0, 0},
     intersect,
     scratch,
     true,
