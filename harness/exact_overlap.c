@@ -153,7 +153,7 @@ static bool choose_values(struct arcs *k, const struct biv *swapped, int a, int 
     biv_restrict_t(t->num, swapped, x);
     fmpq_set_si(x, b, 1);
     biv_restrict_t(t->den, swapped, x);
-    const int place[2] = {2, -3};
+    const int place[2] = {a + 1, -2 * a};
     for (int i = 0; i < 2; i++) {
         fmpq_set_si(x, place[i], 1);
         biv_restrict_t(i ? c2 : c1, &k->component, x);
@@ -593,6 +593,9 @@ static const char *find_beside(const struct arcs *k, const struct biv *p1, const
             trouble = "a common point may lie on the overlap";
         if (on != 0)
             continue;
+        all.at[i].multiplicity = exact_multiplicity(&e, &all.at[i]);
+        if (all.at[i].multiplicity == 0)
+            trouble = "the multiplicity of a common point stayed undecided";
         struct exact_point *c = point_list_append(points, &all.at[i].t, &all.at[i].s);
         c->multiplicity = all.at[i].multiplicity;
         c->order_f = all.at[i].order_f;

@@ -333,8 +333,8 @@ static const char *collect(struct search *a, struct point_list *l)
                 struct exact_point *c = point_list_append(l, &a->t.at[i], &a->s.at[j]);
                 c->order_f = real_root_order(&c->t, pair->f.stationary);
                 c->order_g = real_root_order(&c->s, pair->g.stationary);
-                c->multiplicity = exact_multiplicity(a->e, c);
-                if (c->multiplicity == 0)
+                c->multiplicity = a->e->whole ? exact_multiplicity(a->e, c) : 0;
+                if (a->e->whole && c->multiplicity == 0)
                     return "the multiplicity of a common point stayed undecided";
             }
     return NULL;

@@ -43,7 +43,7 @@ struct exact_system {
 /* Why there is no list of points: p and q are not coprime. */
 extern const char EXACT_COMMON_COMPONENT[];
 
-/* Finds them all.  NULL, or why not. */
+/* Finds them all, with their multiplicities if the system is whole.  NULL, or why not. */
 const char *exact_system_solve(const struct exact_system *e, struct point_list *l);
 
 /* The multiplicity of a common zero, by a pencil of parallel lines one of which meets it and no other common
