@@ -37,7 +37,10 @@ static const struct argp_option options[] = {
     {"baseline", 'b', "NAME", 0, "give ratios to this algorithm, from the same rounds", 0},
     {"external", 'x', "CMD", 0, "also time a program that reads case lines and writes `solve` lines", 0},
     {"timeout", TIMEOUT, "S", 0, "seconds an external program may take for a pair (10)", 0},
-    {"tolerance", TOLERANCE, "X", 0, "width asked for in both parameters (1e-12)", 0},
+    {"tolerance", TOLERANCE, "X", 0,
+     "width asked for in both parameters (1e-12); in double each pair is solved at the larger of this and "
+     "its own",
+     0},
     {"max-steps", MAX_STEPS, "N", 0, "step limit (100000)", 0},
     {"rounds", ROUNDS, "N", 0, "samples of each algorithm, at most (51)", 0},
     {"seconds", SECONDS, "S", 0,
