@@ -68,11 +68,19 @@ void draft_join(struct draft *d, const fmpq_t t, const fmpq_t s);
 bool draft_scale(struct draft *d);
 bool draft_fits(const struct draft *d); /* every coordinate and weight is a double */
 
+/* The two curves about a common point as functions of one coordinate, y or x: f's value less g's begins with
+ * bend (coordinate)^order; dt, ds: rates of the parameters. */
+struct contact {
+    bool over_y;
+    fmpq_t bend, dt, ds;
+};
+
+void contact_init(struct contact *c);
+void contact_clear(struct contact *c);
 /* Multiplicity of the solution (t, s) of the two curves extended, at most `limit`, by power series over the
- * coordinate in which f runs faster there.  0 if f(t) != g(s) or a derivative vanishes.  *steep: that
- * coordinate is y; *side: sign of the first difference, f's less g's, of the other one (either may be NULL).
- */
-int contact_order(const struct draft *d, const fmpq_t t, const fmpq_t s, int limit, bool *steep, int *side);
+ * coordinate in which f runs faster there.  0 if f(t) != g(s) or a derivative vanishes.  c, if not NULL, is
+ * set when the tangents are parallel. */
+int contact_order(const struct draft *d, const fmpq_t t, const fmpq_t s, int limit, struct contact *c);
 /* Every leg of f's control polygon turns the same way to every leg of g's (legs of length 0 apart).  Chords
  * of a curve with positive weights are positive combinations of legs, so none of f is parallel to one of g:
  * the curves meet at most once, and transversally unless a derivative vanishes. */

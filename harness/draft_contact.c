@@ -22,12 +22,13 @@ static void series_at(fmpq_poly_t x, fmpq_poly_t y, const struct points *p, cons
     shape_clear(&s);
 }
 
-static int coefficient_sign(const fmpq_poly_t a, slong i)
+static bool coefficient_is_zero(const fmpq_poly_t a, slong i)
 {
-    return i >= fmpq_poly_length(a) ? 0 : fmpz_sgn(fmpq_poly_numref(a) + i);
+    return i >= fmpq_poly_length(a) || fmpz_is_zero(fmpq_poly_numref(a) + i);
 }
 
-/* Order of y_f - y_g as functions of the common abscissa, at most limit; the difference is left in fy. */
+/* Order of y_f - y_g as functions of the common abscissa, at most limit; the difference is left in fy, the
+ * parameters as functions of the abscissa in fx and gx. */
 static int order_over_x(fmpq_poly_t fx, fmpq_poly_t fy, fmpq_poly_t gx, fmpq_poly_t gy, int limit)
 {
     int order = 1;
@@ -36,7 +37,7 @@ static int order_over_x(fmpq_poly_t fx, fmpq_poly_t fy, fmpq_poly_t gx, fmpq_pol
     fmpq_poly_revert_series(gx, gx, limit + 1);
     fmpq_poly_compose_series(gy, gy, gx, limit + 1);
     fmpq_poly_sub(fy, fy, gy);
-    while (order < limit && coefficient_sign(fy, order) == 0)
+    while (order < limit && coefficient_is_zero(fy, order))
         order++;
     return order;
 }
@@ -70,7 +71,21 @@ static bool rises_faster(const fmpq_poly_t a, const fmpq_poly_t b)
     return faster;
 }
 
-int contact_order(const struct draft *d, const fmpq_t t, const fmpq_t s, int limit, bool *steep, int *side)
+void contact_init(struct contact *c)
+{
+    fmpq_init(c->bend);
+    fmpq_init(c->dt);
+    fmpq_init(c->ds);
+}
+
+void contact_clear(struct contact *c)
+{
+    fmpq_clear(c->bend);
+    fmpq_clear(c->dt);
+    fmpq_clear(c->ds);
+}
+
+int contact_order(const struct draft *d, const fmpq_t t, const fmpq_t s, int limit, struct contact *c)
 {
     fmpq_poly_t a[4];
     int order = 1;
@@ -81,14 +96,16 @@ int contact_order(const struct draft *d, const fmpq_t t, const fmpq_t s, int lim
     series_at(a[0], a[1], &d->f, t, limit + 1);
     series_at(a[2], a[3], &d->g, s, limit + 1);
     int x = rises_faster(a[1], a[0]); /* 1: the curves are taken as functions of y */
-    if (coefficient_sign(a[x], 1) == 0 || (coefficient_sign(a[2], 1) == 0 && coefficient_sign(a[3], 1) == 0))
+    if (coefficient_is_zero(a[x], 1) || (coefficient_is_zero(a[2], 1) && coefficient_is_zero(a[3], 1)))
         order = 0;
-    else if (coefficient_sign(a[2 + x], 1) != 0)
+    else if (!coefficient_is_zero(a[2 + x], 1))
         order = order_over_x(a[x], a[1 - x], a[2 + x], a[3 - x], limit);
-    if (steep)
-        *steep = x;
-    if (side)
-        *side = coefficient_sign(a[1 - x], order);
+    if (c && order > 1) {
+        c->over_y = x;
+        fmpq_poly_get_coeff_fmpq(c->bend, a[1 - x], order);
+        fmpq_poly_get_coeff_fmpq(c->dt, a[x], 1); /* reverted by order_over_x */
+        fmpq_poly_get_coeff_fmpq(c->ds, a[2 + x], 1);
+    }
     for (int k = 0; k < 4; k++)
         fmpq_poly_clear(a[k]);
     return order;

@@ -112,7 +112,7 @@ static bool make_contact(struct draft *d, struct request *r, const fmpq_t t, con
     fmpq_poly_clear(sigma);
     shape_clear(&head);
     shape_clear(&other);
-    return contact_order(d, t, s, order + 1, NULL, NULL) == order;
+    return contact_order(d, t, s, order + 1, NULL) == order;
 }
 
 static bool make_inner_contact(struct draft *d, struct request *r, int order, enum sides sides)
@@ -168,26 +168,61 @@ bool family_endpoint_tangent(struct draft *d, struct request *r)
     return good && finish(d, r);
 }
 
-/* Contact 2, then g is moved along the axis nearest to the normal: into f in even cases, away from it in odd
- * ones. */
-bool family_near_tangent(struct draft *d, struct request *r)
+/* Do roots at the distance sqrt(gap / |bend|) keep away from the ends, by half of t's distance from them? */
+static bool roots_inside(const fmpq_t t, const fmpq_t rate, const fmpq_t bend, const fmpq_t gap)
 {
-    int exponent = r->gap ? r->gap : 5 + (int)((r->index >> 1) * 19 % 46), side;
-    bool apart = r->index & 1, steep;
+    fmpq_t a, b;
+    bool inside;
+    fmpq_init(a);
+    fmpq_init(b);
+    fmpq_mul(a, rate, rate);
+    fmpq_mul(a, a, gap);
+    fmpq_div(a, a, bend);
+    fmpq_abs(a, a); /* the square of their distance from t */
+    fmpq_sub_si(b, t, 1);
+    fmpq_neg(b, b);
+    if (fmpq_cmp(t, b) < 0)
+        fmpq_set(b, t);
+    fmpq_div_2exp(b, b, 1);
+    fmpq_mul(b, b, b);
+    inside = fmpq_cmp(a, b) <= 0;
+    fmpq_clear(a);
+    fmpq_clear(b);
+    return inside;
+}
+
+/* Moves g by 2^-exponent along the axis nearest to the normal: into f, or apart from it. */
+static bool open_gap(struct draft *d, int exponent, bool apart)
+{
+    const struct planted *at = &d->at[0];
+    struct contact c;
     fmpq_t zero;
-    if (!make_inner_contact(d, r, 2, r->index & 2 ? SAME : OPPOSITE))
-        return false;
-    contact_order(d, d->at[0].t, d->at[0].s, 2, &steep, &side);
+    contact_init(&c);
     fmpq_init(zero);
-    fmpq_set_si(d->gap, apart ? -side : side, 1); /* f - g = side x^2 + ... before, less the gap after */
+    contact_order(d, at->t, at->s, 2, &c);
+    fmpq_set_si(d->gap, fmpq_sgn(c.bend) * (apart ? -1 : 1),
+                1); /* bend x^2 - gap: two zeros if of one sign */
     fmpq_div_2exp(d->gap, d->gap, (flint_bitcnt_t)exponent);
-    if (steep)
+    if (c.over_y)
         points_move(&d->g, d->gap, zero);
     else
         points_move(&d->g, zero, d->gap);
+    bool good =
+        apart || (roots_inside(at->t, c.dt, c.bend, d->gap) && roots_inside(at->s, c.ds, c.bend, d->gap));
+    fmpq_clear(zero);
+    contact_clear(&c);
+    return good;
+}
+
+/* Contact 2, then opened: two roots in even cases, none in odd ones. */
+bool family_near_tangent(struct draft *d, struct request *r)
+{
+    int exponent = r->gap ? r->gap : 5 + (int)((r->index >> 1) * 19 % 46);
+    bool apart = r->index & 1;
+    if (!make_inner_contact(d, r, 2, r->index & 2 ? SAME : OPPOSITE) || !open_gap(d, exponent, apart))
+        return false;
     snprintf(d->note, sizeof d->note, "contact opened by 2^-%d, %s", exponent, apart ? "apart" : "two roots");
     d->planted = 0; /* at[0] is where the contact was */
     d->class_name = "";
-    fmpq_clear(zero);
     return true;
 }

@@ -93,7 +93,7 @@ bool family_smooth_join(struct draft *d, struct request *r)
         fmpq_add(g->y[i], g->y[i], y);
     }
     draft_join(d, one, zero);
-    int order = contact_order(d, one, zero, 8, NULL, NULL);
+    int order = contact_order(d, one, zero, 8, NULL);
     draft_plant(d, one, zero, order);
     d->class_name = "tangent";
     d->complete = true;

@@ -1,4 +1,4 @@
-/* Oscillating pairs.  If f stays within |x| <= 1 while y swings p times between <= -1 and >= 1, and g stays
+/* Oscillating pairs.  If f stays within |x| <= 1 while y swings p times between < -1 and > 1, and g stays
  * within |y| <= 1 while x swings q times, each swing of f meets each swing of g: p q solutions at the least.
  * With p q = n m these are all, and simple (Bezout). */
 #include "family.h"
@@ -35,7 +35,7 @@ static void oscillate(struct points *p, struct request *r, int k)
     fmpz_clear(b);
 }
 
-/* Are there k + 1 increasing parameters where y is >= 1 and <= -1 in turn?  Tried are multiples of 1/256. |x|
+/* Are there k + 1 increasing parameters where y is > 1 and < -1 in turn?  Tried are multiples of 1/256. |x|
  * <= 1 by its control points. */
 static bool swings(const struct points *p, int k)
 {
@@ -50,7 +50,7 @@ static bool swings(const struct points *p, int k)
         fmpq_set_si(t, i, 256);
         fmpq_canonicalise(t);
         fmpq_poly_evaluate_fmpq(y, s.y, t);
-        int side = fmpq_cmp_si(y, 1) >= 0 ? 1 : fmpq_cmp_si(y, -1) <= 0 ? -1 : 0;
+        int side = fmpq_cmp_si(y, 1) > 0 ? 1 : fmpq_cmp_si(y, -1) < 0 ? -1 : 0;
         if (side != 0 && side != last) {
             last = side;
             found++;

@@ -85,7 +85,7 @@ bool family_size_mismatch(struct draft *d, struct request *r)
     draft_plant(d, half, half, 1);
     snprintf(d->note, sizeof d->note, "%s shrunk by 2^-%d", r->index & 1 ? "g" : "f", (int)j);
     d->class_name = "transversal";
-    d->complete = meet_at_most_once(d) && contact_order(d, half, half, 2, NULL, NULL) == 1;
+    d->complete = meet_at_most_once(d) && contact_order(d, half, half, 2, NULL) == 1;
     fmpq_clear(half);
     fmpq_clear(x);
     fmpq_clear(y);

@@ -15,8 +15,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 GENERATE = os.environ.get("FATLINE_GENERATE", str(ROOT / "build/double/fatline-generate"))
+TRUTH = os.environ.get("FATLINE_TRUTH", str(ROOT / "build/double/fatline-truth"))
 DEGREES = ["1", "2", "3", "4", "5", "8", "2x1", "1x3", "3x5", "8x2", "2x8", "12", "32", "32x31"]
-COUNT = 12
+COUNT = 8
 PRODUCT_MAX = 25  # degree product up to which a common arc is proved
 
 
@@ -284,10 +285,54 @@ def mistakes_are_told():
         assert answer.stdout == ""
 
 
+def check_against_truth(line, truth):
+    expected = truth["expected"]
+    found = {tuple(a): m for a, m in zip(expected["exact"], expected["mult"])}
+    for a in line.get("planted", []):
+        assert found.get((a["t"], a["s"]), 0) in (a["mult"], None), f"{a} in {found}"
+    if "expected" in line:
+        assert line["expected"]["count"] == expected["count"], f"count {expected['count']}"
+    if "planted_count" in line:
+        assert expected["mult"] == [1] * line["planted_count"], f"{expected['mult']}"
+    if "planted_overlap" in line:
+        assert [float(Fraction(a)) for a in line["planted_overlap"]] in expected["overlap"], f"{expected['overlap']}"
+    assert line.get("class", truth["class"]) == truth["class"], f"class {truth['class']}"
+
+
+def quick_list_agrees_with_truth():
+    """Three cases of each line of datasets/families.txt, degree product up to 25."""
+    text = ""
+    for row in (ROOT / "datasets/families.txt").read_text().splitlines():
+        if row and not row.startswith("#"):
+            name, degrees, count, seed = row.split()
+            small = [a for a in degrees.split(",") if a != "-" and max(map(int, a.split("x"))) <= 5]
+            made = generate(name, *(["--degree", ",".join(small)] if small else []), "--count", min(int(count), 3),
+                            "--seed", seed)
+            if made.returncode == 2 and "not installed" in made.stderr:
+                continue
+            assert made.returncode == 0, made.stderr
+            text += made.stdout
+    answer = subprocess.run([TRUTH, "--quiet", "-"], input=text, capture_output=True, text=True)
+    assert answer.returncode == 0, answer.stderr
+    for line, truth in zip(text.splitlines(), answer.stdout.splitlines(), strict=True):
+        line, truth = json.loads(line), json.loads(truth)
+        try:
+            check_against_truth(line, truth)
+        except AssertionError as wrong:
+            raise AssertionError(f"{line['id']}: {wrong}") from None
+
+
+def published_is_true():
+    answer = subprocess.run([TRUTH, "--quiet", "--compare", str(ROOT / "datasets/published.jsonl")],
+                            capture_output=True, text=True)
+    assert answer.returncode == 0, answer.stdout + answer.stderr
+
+
 def main():
     tests = [(f"family {name}", lambda name=name: family_holds(name)) for name in families()]
     tests += [(test.__name__, test) for test in (seeds_differ, bytes_are_these, sweep_keeps_parameters,
-                                                 gaps_of_both_signs, glyphs_are_integers, mistakes_are_told)]
+                                                 gaps_of_both_signs, glyphs_are_integers, mistakes_are_told,
+                                                 quick_list_agrees_with_truth, published_is_true)]
     only, failed = sys.argv[1:], 0
     tests = [one for one in tests if not only or any(word in one[0] for word in only)]
     for number, (name, test) in enumerate(tests, 1):
