@@ -163,8 +163,8 @@ static void leave_out(struct results *r, const struct work *work, struct timing 
 
     r->in[k] = false;
     if (t->missing)
-        snprintf(t->why_not, sizeof t->why_not, "missed a root of %d of %d pairs, first %s", t->missing, t->judged,
-                 t->first_missing);
+        snprintf(t->why_not, sizeof t->why_not, "missed a root of %d of %d pairs, first %s", t->missing,
+                 t->judged, t->first_missing);
     else
         snprintf(t->why_not, sizeof t->why_not, "right on only %d of %d pairs%s", t->right, t->judged,
                  work[k].failure);
@@ -200,7 +200,7 @@ static int thin(const struct results *r, const struct timing_plan *plan, int cou
         for (int i = 0; i < count && r->in[k]; i++)
             pass += r->ns[k * r->pairs + common[i]];
     if (plan->clock.seconds > 0)
-        stride = (int)fmin(count, ceil(fmax(1, pass * PASSES_LEAST / (plan->clock.seconds * 1e9))));
+        stride = (int)fmin(count, ceil(fmax(1, pass * (double)PASSES_LEAST / (plan->clock.seconds * 1e9))));
     for (int i = 0; i < count; i += stride)
         common[kept++] = common[i];
     return kept;
