@@ -1,9 +1,9 @@
 /* Times several algorithms on one family of pairs, after each was judged on every pair.
  *
- * Compiled for each precision.  An algorithm that misses a root of the family is not timed on it, nor is one that
- * is right on fewer than half of the judged pairs (one that takes no rational curve, say, must not stop the rest).
- * The others are timed on the pairs that all of them got right, so that their samples, taken in the same rounds,
- * are paired; if there is no such pair, whoever was right least often leaves first. */
+ * Compiled for each precision.  An algorithm that misses a root of the family is not timed on it, nor is one
+ * that is right on fewer than half of the judged pairs (one that takes no rational curve, say, must not stop
+ * the rest). The others are timed on the pairs that all of them got right, so that their samples, taken in
+ * the same rounds, are paired; if there is no such pair, whoever was right least often leaves first. */
 #ifndef FATLINE_TIMING_H
 #define FATLINE_TIMING_H
 

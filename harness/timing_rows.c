@@ -173,8 +173,8 @@ void timing_table_write(FILE *stream, const char *family, int pairs, int left_ou
             real_to_double(plan->tolerance), timed, pairs, rounds);
     if (left_out)
         fprintf(stream, "; %d ambiguous or without a known answer", left_out);
-    fprintf(stream, "\n%-24s %6s %11s  %26s %7s %9s %11s", "algorithm", "right", "median", "95% interval      ", "MAD",
-            "steps", "slowest");
+    fprintf(stream, "\n%-24s %6s %11s  %26s %7s %9s %11s", "algorithm", "right", "median",
+            "95% interval      ", "MAD", "steps", "slowest");
     if (baseline >= 0)
         fprintf(stream, "  ratio to %-19s", contender[baseline].name);
     fprintf(stream, "  slowest pair\n");

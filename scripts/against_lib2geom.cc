@@ -201,8 +201,8 @@ bool compare(const char *path, pairs &p)
     task[OURS] = {p.set.count, run<theirs>, &other, false};
     std::vector<int> count = known_counts(p, mine[0]);
     clock_interleave(OURS + 1, task, &plan, samples);
-    std::printf("%s: %d pairs, tolerance %g, %d rounds; ns a pair, 95%% intervals\n", basename(path), p.set.count,
-                p.tolerance, samples[0].count);
+    std::printf("%s: %d pairs, tolerance %g, %d rounds; ns a pair, 95%% intervals\n", basename(path),
+                p.set.count, p.tolerance, samples[0].count);
     print_line("lib2geom clipping", samples[OURS], samples[OURS], differing(other, count), &hi);
     for (int k = 0; k < OURS; k++) {
         print_line(names[k], samples[k], samples[OURS], differing(mine[k], count), &hi);
