@@ -111,7 +111,7 @@ static struct interval clipped(struct interval a, struct interval to)
 
 bool curves_apart(const struct problem *p, const struct box *b, real distance)
 {
-    enum { STACK = 128, VISITS = 4096 };
+    enum { STACK = 128, VISITS = 1024 };
     struct box waiting[STACK];
     real speed_f = speed_bound(&p->f), speed_g = speed_bound(&p->g), noise = rounding(p);
     int count = 1, visits = 0;
