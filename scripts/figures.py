@@ -107,6 +107,8 @@ def draw_clip():
 def draw_time():
     """Median time by family and algorithm: a dot where every case was right, a cross where some were not."""
     times = tables.times()
+    if not times.empty:
+        times["family"] = [tables.label(f, d) for f, d in zip(times.family, times.degrees)]
     if times.empty:
         print("figures: no rows of time in results/raw/, so no time.svg", file=sys.stderr)
         return

@@ -4,6 +4,7 @@
 import argparse
 import json
 import sys
+import textwrap
 from pathlib import Path
 
 import pandas as pd
@@ -14,21 +15,42 @@ TABLES = ROOT / "results/tables"
 VERDICTS = {"RIGHT": "right", "WRONG": "wrong", "STOPPED": "stopped", "NOT_TAKEN": "not_taken",
             "UNJUDGED": "unjudged"}
 COUNTS = ["missed", "extra", "duplicate", "merged", "undecided"]
-KEY = ["family", "algorithm", "precision"]
+KEY = ["family", "degrees", "algorithm", "precision"]
 PRECISIONS = ["double", "quad", "multi"]
 
 
-def read_rows(pattern):
-    """All rows of the raw files that match, each with the file's family; environment lines are left out."""
+def label(family, degrees):
+    return family if degrees == "-" else f"{family}-{degrees}"
+
+
+def families():
+    """(name, degrees, count, seed) for each family and pair of degrees of datasets/families.txt; degrees are
+    "-" where a family has none."""
+    found = []
+    for number, line in enumerate(open(ROOT / "datasets/families.txt"), 1):
+        fields = line.split("#")[0].split()
+        if not fields:
+            continue
+        if len(fields) != 4 or not fields[2].isdigit():
+            sys.exit(f"datasets/families.txt:{number}: expected NAME DEGREES COUNT SEED, found: {line.strip()}")
+        for degrees in fields[1].split(","):
+            both = degrees if "x" in degrees or degrees == "-" else f"{degrees}x{degrees}"
+            found.append((fields[0], both, int(fields[2]), fields[3]))
+    return found
+
+
+def read_rows(kind):
+    """All rows of the raw files KIND-PRECISION-FAMILY[-DEGREES].jsonl; environment lines are left out."""
     rows = []
-    for path in sorted(RAW.glob(pattern)):
+    for path in sorted(RAW.glob(f"{kind}-*.jsonl")):
+        family, degrees = (path.stem.split("-") + ["-"])[2:4]
         for number, line in enumerate(open(path), 1):
             try:
                 row = json.loads(line)
             except ValueError as reason:
                 sys.exit(f"{path.relative_to(ROOT)}:{number}: not a row of JSON: {reason}")
             if "environment" not in row:
-                rows.append({**row, "family": path.stem.split("-", 2)[2]})
+                rows.append({**row, "family": family, "degrees": degrees})
     return pd.DataFrame(rows)
 
 
@@ -42,18 +64,8 @@ def in_order(table, orders):
     return table.astype({column: str for column in orders})
 
 
-def family_order():
-    """FAMILY-DEGREES in the order of datasets/families.txt."""
-    names = []
-    for line in open(ROOT / "datasets/families.txt"):
-        fields = line.split("#")[0].split()
-        if fields:
-            names.append(f"{fields[0]}-{fields[1]}")
-    return names
-
-
 def algorithm_order():
-    """The order of the raw rows, which is that of the registry; the rows of double name every algorithm."""
+    """The order of the raw rows, which is that of the registry; those of double name every algorithm."""
     for path in sorted(RAW.glob("check-double-*.jsonl")):
         rows = map(json.loads, open(path))
         return list(dict.fromkeys(row["algorithm"] for row in rows if "algorithm" in row))
@@ -61,13 +73,16 @@ def algorithm_order():
 
 
 def orders():
-    return {"precision": PRECISIONS, "family": family_order(), "algorithm": algorithm_order()}
+    listed = families()
+    return {"precision": PRECISIONS, "family": list(dict.fromkeys(f[0] for f in listed)),
+            "degrees": sorted({f[1] for f in listed}, key=lambda d: [int(n) for n in d.split("x") if n != "-"]),
+            "algorithm": algorithm_order()}
 
 
 def checks():
-    """A row a family, algorithm and precision: how many pairs got which verdict, what was missed or extra.
+    """A row a family, pair of degrees, algorithm and precision: how many pairs got which verdict, what was missed or extra.
     Ambiguous pairs are counted, but not judged."""
-    rows = read_rows("check-*.jsonl")
+    rows = read_rows("check")
     if rows.empty:
         return rows
     rows["ambiguous"] = rows["ambiguous"].astype(bool)
@@ -83,8 +98,8 @@ def checks():
 
 
 def times():
-    """A row a family, algorithm and precision that was timed."""
-    rows = read_rows("time-*.jsonl")
+    """A row a family, pair of degrees, algorithm and precision that was timed."""
+    rows = read_rows("time")
     if rows.empty or "ns_median" not in rows:
         return pd.DataFrame()
     rows = rows[rows.pairs > 0].drop(columns=["samples", "run"], errors="ignore")
@@ -101,10 +116,9 @@ def by_family(checked, timed):
     return checked
 
 
-def by_algorithm(checked):
+def summed(checked, columns):
     sums = ["pairs", *VERDICTS.values(), "expected", "found", *COUNTS, "ambiguous"]
-    table = checked.groupby(["precision", "algorithm"], sort=False)[sums].sum()
-    return table.reset_index()
+    return checked.groupby(columns, sort=False)[sums].sum().reset_index()
 
 
 def cell(row):
@@ -122,16 +136,36 @@ def cell(row):
 
 
 def matrix(main, precision):
+    """Families and degrees by algorithms."""
     rows = main[main.precision == precision].copy()
     rows["cell"] = rows.apply(cell, axis=1)
-    names = list(dict.fromkeys(rows.algorithm))
-    return rows.pivot(index="family", columns="algorithm", values="cell").reindex(
-        index=list(dict.fromkeys(rows.family)), columns=names).fillna("").reset_index()
+    places = list(dict.fromkeys(zip(rows.family, rows.degrees)))
+    wide = rows.pivot(index=["family", "degrees"], columns="algorithm", values="cell")
+    return wide.reindex(index=places, columns=list(dict.fromkeys(rows.algorithm))).fillna("").reset_index()
 
 
-MATRIX_LEGEND = ("Median time of a pair in microseconds, at tolerance 1e-9; N miss: N solutions missed, N extra: N\n"
-                 "proved where there is none; *: some pairs stopped early, merged or not taken (not timed);\n"
-                 "N not: none timed, N pairs not right; right: right but not timed; -: not taken at all")
+def counts_matrix(main, precision):
+    """Families by algorithms, all degrees together: right/missed/extra."""
+    rows = summed(main[main.precision == precision], ["family", "algorithm"])
+    rows["cell"] = [f"{r.right}/{r.missed}/{r.extra}" for r in rows.itertuples()]
+    wide = rows.pivot(index="family", columns="algorithm", values="cell")
+    wide = wide.reindex(index=list(dict.fromkeys(rows.family)), columns=list(dict.fromkeys(rows.algorithm)))
+    pairs = rows.groupby("family", sort=False).pairs.max()
+    wide.insert(0, "pairs", pairs.reindex(wide.index))
+    return wide.reset_index()
+
+
+def short(wide):
+    """Of each family the one row that terminals get: cubics, or the first."""
+    rows = [group[group.degrees == "3x3"] if (group.degrees == "3x3").any() else group.head(1)
+            for _, group in wide.groupby("family", sort=False)]
+    return pd.concat(rows)
+
+
+MATRIX_LEGEND = (
+    "median time of a pair in microseconds. *: some pairs stopped early, merged or not taken, which are not timed; "
+    "N miss: N solutions missed; N extra: N claimed where there is none; N not: N pairs not right and none timed; "
+    "right: right but not timed; -: not taken at all")
 
 
 def significant(value, digits=3):
@@ -154,27 +188,29 @@ def shown(table):
     return table.astype(str)
 
 
-def markdown(table, title, source):
+def markdown(table, title, note):
     head = [str(c) for c in table.columns]
-    lines = [f"# {title}", "", f"From {source}; the columns are explained in `results/README.md`.", "",
+    lines = [f"# {title}", "", note, "",
              "| " + " | ".join(head) + " |",
              "|" + "|".join(" --- " if c in KEY else " ---: " for c in head) + "|"]
     lines += ["| " + " | ".join(map(str, row)) + " |" for row in table.values.tolist()]
     return "\n".join(lines) + "\n"
 
 
-def latex(table, title):
+def latex(table, caption):
     styler = table.rename(columns=lambda c: str(c).replace("_", r"\_")).replace("_", r"\_", regex=True).style
     form = "".join("l" if c in KEY else "r" for c in table.columns)
-    return styler.hide(axis="index").to_latex(hrules=True, column_format=form, caption=title)
+    return styler.hide(axis="index").to_latex(hrules=True, column_format=form, caption=caption)
 
 
-def write(table, name, title, source):
+def write(table, name, title, source, legend=""):
+    note = f"{legend[:1].upper()}{legend[1:]}. " if legend else ""
     TABLES.mkdir(parents=True, exist_ok=True)
     table.to_csv(TABLES / f"{name}.csv", index=False)
     pretty = shown(table)
-    (TABLES / f"{name}.md").write_text(markdown(pretty, title, source))
-    (TABLES / f"{name}.tex").write_text(latex(pretty, title))
+    (TABLES / f"{name}.md").write_text(markdown(
+        pretty, title, f"{note}From {source}; the columns are explained in `results/README.md`."))
+    (TABLES / f"{name}.tex").write_text(latex(pretty, f"{title}. {note}".strip()))
 
 
 def aligned(table):
@@ -186,23 +222,33 @@ def aligned(table):
                                for i, (v, w) in enumerate(zip(row, widths))).rstrip() for row in rows)
 
 
+def fold(text):
+    return "\n".join(textwrap.wrap(text, 110))
+
+
 def numbered(table):
     """The matrix with the algorithms' numbers as heads, so that it fits a terminal, and what they stand for."""
-    names = list(table.columns[1:])
+    names = [c for c in table.columns if c not in ("family", "degrees", "pairs")]
     heads = {name: f"[{i}]" for i, name in enumerate(names, 1)}
-    return table.rename(columns=heads), "  ".join(f"{heads[name]} {name}" for name in names)
+    return table.rename(columns=heads), fold("  ".join(f"{heads[name]} {name}" for name in names))
+
+
+def is_timed(main, precision):
+    return "ns_median" in main and main[main.precision == precision].ns_median.notna().any()
 
 
 def print_summary(main):
     for precision in dict.fromkeys(main.precision):
-        rows = by_algorithm(main[main.precision == precision])
-        columns = ["algorithm", "pairs", "right", "wrong", "stopped", "not_taken", "unjudged", "expected", "found",
-                   *COUNTS]
-        print(f"\n{precision}, all families together (pairs; then solutions):\n")
+        rows = summed(main[main.precision == precision], ["algorithm"])
+        columns = ["algorithm", "pairs", *VERDICTS.values(), "expected", "found", *COUNTS]
+        counts, legend = numbered(counts_matrix(main, precision))
+        print(f"\n{precision}, all families together: pairs and their verdicts; solutions\n")
         print(aligned(shown(rows[columns])))
-        if "ns_median" in main and main[main.precision == precision].ns_median.notna().any():
-            short, legend = numbered(matrix(main, precision))
-            print(f"\n{MATRIX_LEGEND}\n{legend}\n\n{aligned(short)}")
+        print(f"\n{precision}, by family: pairs right / solutions missed / extra\n{legend}\n\n{aligned(shown(counts))}")
+        if is_timed(main, precision):
+            table, _ = numbered(short(matrix(main, precision)))
+            about = fold(f"{precision}, by family, cubics where there are: {MATRIX_LEGEND}")
+            print(f"\n{about}\n\n{aligned(table)}")
 
 
 def make(quiet=False):
@@ -210,12 +256,15 @@ def make(quiet=False):
     main = by_family(checks(), times())
     if main.empty:
         sys.exit("tables: there are no rows in results/raw/; make reproduce measures them")
-    write(main, "families", "Every algorithm on every family", "`results/raw/check-*` and `results/raw/time-*`")
-    write(by_algorithm(main), "algorithms", "Every algorithm, all families together", "`results/raw/check-*`")
+    raw = "`results/raw/check-*`"
+    write(main, "families", "Every algorithm on every family", f"{raw} and `results/raw/time-*`")
+    write(summed(main, ["precision", "algorithm"]), "algorithms", "Every algorithm, all families together", raw)
     for precision in dict.fromkeys(main.precision):
-        if "ns_median" in main and main[main.precision == precision].ns_median.notna().any():
-            title = f"Time by family and algorithm, {precision}. " + MATRIX_LEGEND.replace("\n", " ")
-            write(matrix(main, precision), f"matrix-{precision}", title, "`families.csv`")
+        title = f"Pairs right / solutions missed / extra, {precision}"
+        write(counts_matrix(main, precision), f"counts-{precision}", title, raw)
+        if is_timed(main, precision):
+            write(matrix(main, precision), f"times-{precision}", f"Time by family and algorithm, {precision}",
+                  "`families.csv`", MATRIX_LEGEND)
     if not quiet:
         print_summary(main)
     return main
