@@ -11,22 +11,44 @@ static void join(struct interval *a, const struct interval *b)
     a->hi = real_max(a->hi, b->hi);
 }
 
-/* One pass over all pairs; what is merged may leave new contacts, which the next pass finds. */
-static void merge_candidates(struct crossings *out)
+/* Cells come depth first, so that what touches was mostly added shortly before: merges every candidate into a
+ * touching one among the NEAR before it. */
+enum { NEAR = 16 };
+
+static void merge_touching(struct crossings *out)
 {
     int kept = 0;
     for (int i = 0; i < out->count; i++) {
-        struct crossing *c = &out->at[i];
-        int j = c->standing == CANDIDATE ? kept - 1 : -1;
-        while (j >= 0 && !(out->at[j].standing == CANDIDATE && touch(&out->at[j].t, &c->t) &&
-                           touch(&out->at[j].s, &c->s))) {
+        struct crossing c = out->at[i];
+        int last = kept > NEAR ? kept - NEAR : 0, j = c.standing == CANDIDATE ? kept - 1 : -1;
+        while (j >= last && !(out->at[j].standing == CANDIDATE && touch(&out->at[j].t, &c.t) &&
+                              touch(&out->at[j].s, &c.s))) {
             j--;
         }
-        if (j >= 0) {
-            join(&out->at[j].t, &c->t);
-            join(&out->at[j].s, &c->s);
+        if (j >= last && j >= 0) {
+            join(&out->at[j].t, &c.t);
+            join(&out->at[j].s, &c.s);
         } else {
-            out->at[kept++] = *c;
+            out->at[kept++] = c;
+        }
+    }
+    out->count = kept;
+}
+
+/* Joins every candidate with the one before it if that is still single: half as many are left. */
+static void merge_pairs(struct crossings *out)
+{
+    int kept = 0;
+    bool single = false;
+    for (int i = 0; i < out->count; i++) {
+        struct crossing c = out->at[i];
+        if (single && c.standing == CANDIDATE) {
+            join(&out->at[kept - 1].t, &c.t);
+            join(&out->at[kept - 1].s, &c.s);
+            single = false;
+        } else {
+            out->at[kept++] = c;
+            single = c.standing == CANDIDATE;
         }
     }
     out->count = kept;
@@ -36,13 +58,17 @@ void crossings_add(struct crossings *out, const struct crossing *c)
 {
     if (out->count == CROSSINGS_MAX) {
         out->merged = true;
-        merge_candidates(out);
+        merge_touching(out);
+        if (out->count > CROSSINGS_MAX / 2) {
+            merge_pairs(out);
+        }
     }
     if (out->count < CROSSINGS_MAX) {
         out->at[out->count++] = *c;
         return;
     }
-    int k = CROSSINGS_MAX - 1;
+    int k = CROSSINGS_MAX -
+            1; /* no two candidates stand together: c goes into the last one, or takes its place */
     while (k > 0 && out->at[k].standing != CANDIDATE) {
         k--;
     }

@@ -4,8 +4,9 @@
 
 #include "bezier.h"
 
-/* Appends a record.  When the list is full, touching candidates are merged first; if that frees nothing, the
- * new record is merged into the last candidate.  Either sets out->merged; coverage is kept. */
+/* Appends a record.  When the list is full, touching candidates are merged; if more than half are left,
+ * neighbours in the order of arrival are joined too.  Either sets out->merged; coverage is kept, and proofs
+ * are merged only if nothing else is left. */
 void crossings_add(struct crossings *out, const struct crossing *c);
 
 /* Sorts by (t.lo, s.lo, t.hi, s.hi). */

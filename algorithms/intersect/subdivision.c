@@ -1,6 +1,7 @@
 /* Halve while the boxes meet: axis-parallel boxes, or boxes along the chords.
  *
- * Lane and Riesenfeld 1980.  The larger arc is halved.  Linear: one bit a level; at a contact of order mu the
+ * Lane and Riesenfeld 1980.  The larger arc is halved; a cell that is narrow enough must pass the boxes along
+ * the chords, in either case, before it is returned.  Linear: one bit a level; at a contact of order mu the
  * number of live cells grows like eps^(1/mu - 1) (axis-parallel) or eps^(2/mu - 1) (oriented). */
 #include "../core/cells.h"
 
@@ -34,7 +35,7 @@ static int shrink_oriented(const struct problem *p, const struct workspace *w, s
 
 static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
 {
-    return solve_by_shrinking(p, w, out, shrink, boxes_meet, LONGER_ARC);
+    return solve_by_shrinking(p, w, out, shrink, oriented_boxes_meet, LONGER_ARC);
 }
 
 static enum outcome intersect_oriented(const struct problem *p, struct workspace *w, struct crossings *out)
