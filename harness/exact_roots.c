@@ -1,4 +1,4 @@
-/* Real roots of integer polynomials by Descartes' rule of signs, bisection and interval Newton steps. */
+/* Real roots of integer polynomials refined by bisection and interval Newton steps. */
 #include "exact_roots.h"
 
 #include <stdlib.h>
@@ -48,8 +48,8 @@ void real_root_set_exact(struct real_root *r, const fmpq_t value)
     arb_set_fmpq(r->ball, value, RATIONAL_PREC);
 }
 
-/* Exact: by balls of growing precision, and where these hold 0 for long by exact evaluation. */
-static int sign_at(const fmpz_poly_t p, const fmpq_t x)
+/* By balls of growing precision, and where these hold 0 for long by exact evaluation. */
+int polynomial_sign(const fmpz_poly_t p, const fmpq_t x)
 {
     arb_t b, v;
     int sign = 0;
@@ -87,7 +87,7 @@ static void recognise(struct real_root *r)
     arf_get_fmpq(a, lo);
     arf_get_fmpq(b, hi);
     fmpq_simplest_between(a, a, b);
-    if (fmpz_bits(fmpq_denref(a)) <= RATIONAL_BITS && sign_at(r->p, a) == 0)
+    if (fmpz_bits(fmpq_denref(a)) <= RATIONAL_BITS && polynomial_sign(r->p, a) == 0)
         real_root_set_exact(r, a);
     fmpq_clear(a);
     fmpq_clear(b);
@@ -120,10 +120,10 @@ static void bisect(struct real_root *r, slong prec)
     fmpq_init(mid);
     fmpq_add(mid, r->lo, r->hi);
     fmpq_div_2exp(mid, mid, 1);
-    int sign = sign_at(r->p, mid);
+    int sign = polynomial_sign(r->p, mid);
     if (sign == 0)
         real_root_set_exact(r, mid);
-    else if (sign == sign_at(r->p, r->lo))
+    else if (sign == polynomial_sign(r->p, r->lo))
         fmpq_set(r->lo, mid);
     else
         fmpq_set(r->hi, mid);
@@ -194,11 +194,11 @@ void real_root_refine(struct real_root *r, slong prec, bool relative)
 bool real_root_of(const struct real_root *r, const fmpz_poly_t q)
 {
     if (fmpz_poly_is_zero(q) || r->exact)
-        return fmpz_poly_is_zero(q) || sign_at(q, r->value) == 0;
+        return fmpz_poly_is_zero(q) || polynomial_sign(q, r->value) == 0;
     fmpz_poly_t g;
     fmpz_poly_init(g);
     fmpz_poly_gcd(g, q, r->p); /* a factor of p: at most one root in (lo, hi), none at the ends */
-    bool is = fmpz_poly_degree(g) > 0 && sign_at(g, r->lo) != sign_at(g, r->hi);
+    bool is = fmpz_poly_degree(g) > 0 && polynomial_sign(g, r->lo) != polynomial_sign(g, r->hi);
     fmpz_poly_clear(g);
     return is;
 }
@@ -215,142 +215,4 @@ int real_root_order(const struct real_root *r, const fmpz_poly_t q)
     }
     fmpz_poly_clear(d);
     return order;
-}
-
-/* ---- isolation ---- */
-
-static struct real_root *append(struct root_list *l, const fmpz_poly_t p, int multiplicity)
-{
-    l->at = realloc(l->at, (size_t)(l->count + 1) * sizeof *l->at);
-    struct real_root *r = &l->at[l->count++];
-    real_root_init(r);
-    fmpz_poly_set(r->p, p);
-    r->multiplicity = multiplicity;
-    return r;
-}
-
-static void drop(struct root_list *l, int count)
-{
-    while (l->count > count)
-        real_root_clear(&l->at[--l->count]);
-}
-
-/* Sign changes of (1 + x)^d p(1 / (1 + x)): at least the number of roots in (0, 1), equal if it is 0 or 1. */
-static int descartes(const fmpz_poly_t p)
-{
-    fmpz_poly_t q;
-    fmpz_poly_init(q);
-    fmpz_poly_reverse(q, p, p->length);
-    fmpz_poly_taylor_shift(q, q, &(fmpz){1});
-    int changes = 0, last = 0;
-    for (slong i = 0; i < q->length && changes < 2; i++) {
-        int sign = fmpz_sgn(q->coeffs + i);
-        changes += sign * last < 0;
-        last = sign ? sign : last;
-    }
-    fmpz_poly_clear(q);
-    return changes;
-}
-
-static void set_dyadic(fmpq_t x, const fmpz_t c, ulong k)
-{
-    fmpz_one(fmpq_denref(x));
-    fmpz_mul_2exp(fmpq_denref(x), fmpq_denref(x), k);
-    fmpz_set(fmpq_numref(x), c);
-    fmpq_canonicalise(x);
-}
-
-/* p(x) over ((c, c + 1) / 2^k) is `node` over (0, 1).  Appends the isolating intervals below; a root at a
- * middle stops everything and is left in `middle`: true. */
-static bool isolate(struct root_list *l, const fmpz_poly_t p, int multiplicity, const fmpz_poly_t node,
-                    const fmpz_t c, ulong k, fmpq_t middle)
-{
-    int changes = descartes(node);
-    if (changes == 0)
-        return false;
-    fmpz_t e;
-    fmpz_init(e);
-    if (changes == 1) {
-        struct real_root *r = append(l, p, multiplicity);
-        set_dyadic(r->lo, c, k);
-        fmpz_add_ui(e, c, 1);
-        set_dyadic(r->hi, e, k);
-        fmpz_add(e, c, e); /* (2 c + 1) / 2^(k + 1), give or take 1 / 2^(k + 1) */
-        arb_set_fmpz(r->ball, e);
-        arb_mul_2exp_si(r->ball, r->ball, -(slong)k - 1);
-        arb_add_error_2exp_si(r->ball, -(slong)k - 1);
-        fmpz_clear(e);
-        return false;
-    }
-    fmpz_poly_t half;
-    fmpz_poly_init(half);
-    fmpz_poly_set(half, node);
-    for (slong i = 0; i < half->length; i++)
-        fmpz_mul_2exp(half->coeffs + i, half->coeffs + i, (ulong)(half->length - 1 - i));
-    fmpz_mul_2exp(e, c, 1);
-    bool stopped = isolate(l, p, multiplicity, half, e, k + 1, middle);
-    fmpz_poly_taylor_shift(half, half, &(fmpz){1});
-    fmpz_add_ui(e, e, 1);
-    if (!stopped && fmpz_is_zero(half->coeffs)) {
-        set_dyadic(middle, e, k + 1);
-        stopped = true;
-    }
-    stopped = stopped || isolate(l, p, multiplicity, half, e, k + 1, middle);
-    fmpz_poly_clear(half);
-    fmpz_clear(e);
-    return stopped;
-}
-
-/* Divides p by its rational root x and appends x. */
-static void take_exact(struct root_list *l, fmpz_poly_t p, const fmpq_t x, int multiplicity)
-{
-    real_root_set_exact(append(l, p, multiplicity), x);
-    fmpz_poly_t linear;
-    fmpz_poly_init(linear);
-    fmpz_poly_set_coeff_fmpz(linear, 1, fmpq_denref(x));
-    fmpz_poly_set_coeff_fmpz(linear, 0, fmpq_numref(x));
-    fmpz_neg(linear->coeffs, linear->coeffs);
-    fmpz_poly_div(p, p, linear);
-    fmpz_poly_clear(linear);
-}
-
-/* All roots in [0, 1] of the squarefree p. */
-static void find_simple(struct root_list *l, fmpz_poly_t p, int multiplicity)
-{
-    fmpq_t x;
-    fmpz_t zero;
-    fmpq_init(x);
-    fmpz_init(zero);
-    for (int end = 0; end <= 1; end++) {
-        fmpq_set_si(x, end, 1);
-        if (fmpz_poly_degree(p) > 0 && sign_at(p, x) == 0)
-            take_exact(l, p, x, multiplicity);
-    }
-    int before = l->count;
-    while (fmpz_poly_degree(p) > 0 && isolate(l, p, multiplicity, p, zero, 0, x)) {
-        drop(l, before);
-        take_exact(l, p, x, multiplicity);
-        before = l->count;
-    }
-    fmpq_clear(x);
-    fmpz_clear(zero);
-}
-
-void root_list_find(struct root_list *l, const fmpz_poly_t p)
-{
-    fmpz_poly_factor_t parts;
-    l->count = 0;
-    l->at = NULL;
-    fmpz_poly_factor_init(parts);
-    fmpz_poly_factor_squarefree(parts, p);
-    for (slong k = 0; k < parts->num; k++)
-        find_simple(l, parts->p + k, (int)parts->exp[k]);
-    fmpz_poly_factor_clear(parts);
-}
-
-void root_list_clear(struct root_list *l)
-{
-    drop(l, 0);
-    free(l->at);
-    l->at = NULL;
 }

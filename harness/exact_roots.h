@@ -14,6 +14,8 @@ struct real_root {
     arb_t ball;
 };
 
+int polynomial_sign(const fmpz_poly_t p, const fmpq_t x); /* of p(x), exact */
+
 void real_root_init(struct real_root *r);
 void real_root_clear(struct real_root *r);
 void real_root_set(struct real_root *to, const struct real_root *from);

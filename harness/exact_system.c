@@ -7,6 +7,7 @@
  * resultants;
  *   - a multiple zero: by comparing both coordinates of f(t) and g(s) as algebraic numbers. */
 #include "exact_system.h"
+#include "exact_algebraic.h"
 
 #include <stdlib.h>
 #include <flint/fmpz_poly_factor.h>
@@ -36,86 +37,6 @@ void point_list_clear(struct point_list *l)
     free(l->at);
     *l = (struct point_list){0};
 }
-
-/* ---- algebraic numbers ---- */
-
-void exact_value_polynomial(fmpz_poly_t v, const fmpz_poly_t p, const fmpz_poly_t num, const fmpz_poly_t den)
-{
-    struct biv a, b; /* in (v, t): p(t) and num(t) - v den(t) */
-    int n = (int)fmpz_poly_degree(p), m = (int)fmpz_poly_degree(num);
-    m = fmpz_poly_degree(den) > m ? (int)fmpz_poly_degree(den) : m;
-    biv_init(&a, 0, n);
-    biv_init(&b, 1, m);
-    for (int j = 0; j <= n; j++)
-        fmpz_poly_get_coeff_fmpz(biv_at(&a, 0, j), p, j);
-    for (int j = 0; j <= m; j++) {
-        fmpz_poly_get_coeff_fmpz(biv_at(&b, 0, j), num, j);
-        fmpz_poly_get_coeff_fmpz(biv_at(&b, 1, j), den, j);
-        fmpz_neg(biv_at(&b, 1, j), biv_at(&b, 1, j));
-    }
-    biv_resultant(v, &a, &b, n, NULL, 0);
-    biv_clear(&a);
-    biv_clear(&b);
-}
-
-int exact_compare(const arb_t a, const fmpz_poly_t va, const arb_t b, const fmpz_poly_t vb, slong prec)
-{
-    if (!arb_overlaps(a, b))
-        return arb_lt(a, b) ? -1 : 1;
-    arb_t both;
-    fmpz_poly_t h, d;
-    arb_init(both);
-    fmpz_poly_init(h);
-    fmpz_poly_init(d);
-    fmpz_poly_mul(h, va, vb);
-    fmpz_poly_derivative(d, h);
-    fmpz_poly_gcd(d, h, d);
-    fmpz_poly_div(h, h,
-                  d); /* squarefree: monotone over `both`, it has one root there, and a and b are roots */
-    fmpz_poly_derivative(d, h);
-    arb_union(both, a, b, prec);
-    arb_fmpz_poly_evaluate_arb_horner(both, d, both, prec + labs(fmpz_poly_max_bits(d)));
-    int order = arb_contains_zero(both) ? 2 : 0;
-    arb_clear(both);
-    fmpz_poly_clear(h);
-    fmpz_poly_clear(d);
-    return order;
-}
-
-static void ball_of_quotient(arb_t v, const fmpz_poly_t num, const fmpz_poly_t den, const arb_t t, slong prec)
-{
-    arb_t d;
-    arb_init(d);
-    arb_fmpz_poly_evaluate_arb_horner(v, num, t, prec);
-    arb_fmpz_poly_evaluate_arb_horner(d, den, t, prec);
-    arb_div(v, v, d, prec);
-    arb_clear(d);
-}
-
-/* As exact_compare, of a coordinate of f at t and of g at s. */
-static int compare_coordinate(const struct real_root *t, const fmpz_poly_t x, const fmpz_poly_t w,
-                              const struct real_root *s, const fmpz_poly_t u, const fmpz_poly_t v, slong prec)
-{
-    arb_t a, b;
-    fmpz_poly_t va, vb;
-    arb_init(a);
-    arb_init(b);
-    fmpz_poly_init(va);
-    fmpz_poly_init(vb);
-    slong work = prec + 64 + labs(fmpz_poly_max_bits(x)) + labs(fmpz_poly_max_bits(u));
-    ball_of_quotient(a, x, w, t->ball, work);
-    ball_of_quotient(b, u, v, s->ball, work);
-    exact_value_polynomial(va, t->p, x, w);
-    exact_value_polynomial(vb, s->p, u, v);
-    int order = exact_compare(a, va, b, vb, prec);
-    arb_clear(a);
-    arb_clear(b);
-    fmpz_poly_clear(va);
-    fmpz_poly_clear(vb);
-    return order;
-}
-
-/* ---- candidates ---- */
 
 enum fate { OPEN, EXCLUDED, CONFIRMED };
 
@@ -189,51 +110,68 @@ static bool widened(arb_t box, const struct root_list *l, const struct real_root
     return alone;
 }
 
-/* Krawczyk's operator on the box b (two balls): does it map b into its interior? */
+/* An approximate inverse of the Jacobian at the point m, as exact numbers; false if it may be singular. */
+static bool approximate_inverse(const struct search *a, arb_ptr y, arb_srcptr m, slong prec)
+{
+    const struct biv *derivative[4] = {&a->pt, &a->ps, &a->qt, &a->qs};
+    arb_t det;
+    arb_init(det);
+    for (int i = 0; i < 4; i++)
+        biv_value(y + i, derivative[i], m, m + 1, prec);
+    arb_mul(det, y, y + 3, prec);
+    arb_submul(det, y + 1, y + 2, prec);
+    bool regular = !arb_contains_zero(det);
+    arb_swap(y, y + 3);
+    arb_neg(y + 1, y + 1);
+    arb_neg(y + 2, y + 2);
+    for (int i = 0; i < 4 && regular; i++) {
+        arb_div(y + i, y + i, det, prec);
+        arb_get_mid_arb(y + i, y + i);
+    }
+    arb_clear(det);
+    return regular;
+}
+
+/* Row `row` of Krawczyk's operator m - Y F(m) + (I - Y J(b)) (b - m). */
+static void krawczyk_row(arb_t k, int row, arb_srcptr y, arb_srcptr value, arb_srcptr jacobian, arb_srcptr m,
+                         arb_srcptr b, slong prec)
+{
+    arb_t e, r;
+    arb_init(e);
+    arb_init(r);
+    arb_mul(k, y + 2 * row, value, prec);
+    arb_addmul(k, y + 2 * row + 1, value + 1, prec);
+    arb_sub(k, m + row, k, prec);
+    for (int col = 0; col < 2; col++) {
+        arb_mul(e, y + 2 * row, jacobian + col, prec);
+        arb_addmul(e, y + 2 * row + 1, jacobian + 2 + col, prec);
+        arb_sub_si(e, e, row == col, prec);
+        arb_sub(r, m + col, b + col, prec);
+        arb_addmul(k, e, r, prec);
+    }
+    arb_clear(e);
+    arb_clear(r);
+}
+
+/* Does Krawczyk's operator map the box b (two balls) into its interior? */
 static bool krawczyk(const struct search *a, arb_srcptr b, slong prec)
 {
     arb_ptr m = _arb_vec_init(2), v = _arb_vec_init(2), j = _arb_vec_init(4), y = _arb_vec_init(4);
-    arb_t det, k, e, r;
     const struct biv *derivative[4] = {&a->pt, &a->ps, &a->qt, &a->qs};
-    arb_init(det);
+    arb_t k;
     arb_init(k);
-    arb_init(e);
-    arb_init(r);
     arb_get_mid_arb(m, b);
     arb_get_mid_arb(m + 1, b + 1);
     biv_value(v, &a->e->p, m, m + 1, prec);
     biv_value(v + 1, &a->e->q, m, m + 1, prec);
     for (int i = 0; i < 4; i++)
-        biv_value(y + i, derivative[i], m, m + 1, prec), arb_get_mid_arb(y + i, y + i);
-    for (int i = 0; i < 4; i++)
         biv_value(j + i, derivative[i], b, b + 1, prec);
-    arb_mul(det, y, y + 3, prec);
-    arb_submul(det, y + 1, y + 2, prec);
-    bool in = !arb_contains_zero(det);
-    if (in) { /* y: the inverse of the middle Jacobian, any approximation will do */
-        arb_swap(y, y + 3);
-        arb_neg(y + 1, y + 1);
-        arb_neg(y + 2, y + 2);
-        for (int i = 0; i < 4; i++)
-            arb_div(y + i, y + i, det, prec), arb_get_mid_arb(y + i, y + i);
-    }
+    bool in = approximate_inverse(a, y, m, prec);
     for (int row = 0; row < 2 && in; row++) {
-        arb_mul(k, y + 2 * row, v, prec);
-        arb_addmul(k, y + 2 * row + 1, v + 1, prec);
-        arb_sub(k, m + row, k, prec);
-        for (int col = 0; col < 2; col++) {
-            arb_mul(e, y + 2 * row, j + col, prec);
-            arb_addmul(e, y + 2 * row + 1, j + 2 + col, prec);
-            arb_sub_si(e, e, row == col, prec);
-            arb_sub(r, m + col, b + col, prec);
-            arb_addmul(k, e, r, prec);
-        }
+        krawczyk_row(k, row, y, v, j, m, b, prec);
         in = arb_contains_interior(b + row, k);
     }
-    arb_clear(det);
     arb_clear(k);
-    arb_clear(e);
-    arb_clear(r);
     _arb_vec_clear(m, 2);
     _arb_vec_clear(v, 2);
     _arb_vec_clear(j, 4);
@@ -255,8 +193,8 @@ static enum fate decide_multiple(const struct search *a, const struct real_root 
                                  slong prec)
 {
     const struct exact_curve *f = &a->e->pair->f, *g = &a->e->pair->g;
-    int x = compare_coordinate(t, f->x, f->w, s, g->x, g->w, prec);
-    int y = x == 0 ? compare_coordinate(t, f->y, f->w, s, g->y, g->w, prec) : x;
+    int x = exact_compare_quotients(t, f->x, f->w, s, g->x, g->w, prec);
+    int y = x == 0 ? exact_compare_quotients(t, f->y, f->w, s, g->y, g->w, prec) : x;
     if (y == 2)
         return OPEN;
     return x == 0 && y == 0 ? CONFIRMED : EXCLUDED;

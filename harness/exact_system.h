@@ -51,10 +51,4 @@ const char *exact_system_solve(const struct exact_system *e, struct point_list *
  * that of the zero.  0 if it could not be settled.  exact_multiplicity.c */
 int exact_multiplicity(const struct exact_system *e, struct exact_point *c);
 
-/* -1, 0, 1: how a and b compare, where a is the value num / den at a root of pa and b likewise; 2: the
- * precision is too low.  va, vb: polynomials that vanish at a and b. */
-int exact_compare(const arb_t a, const fmpz_poly_t va, const arb_t b, const fmpz_poly_t vb, slong prec);
-/* A polynomial that vanishes at num / den wherever p vanishes (den is not 0 there). */
-void exact_value_polynomial(fmpz_poly_t v, const fmpz_poly_t p, const fmpz_poly_t num, const fmpz_poly_t den);
-
 #endif
