@@ -1,0 +1,257 @@
+/* Roots of polynomials in Bernstein form: planted ones are never lost, however the coefficients err. */
+#include "dyadic.h"
+#include "nasty.h"
+
+#include "../algorithms/core/roots.h"
+
+enum { DEGREE = 12, SCRATCH = 8192 };
+
+/* A polynomial with planted roots k 2^-bits: exact coefficients, and reals within the errors of them. */
+struct planted {
+    int n, roots;
+    real root[DEGREE];
+    mpq_t exact[DEGREE + 1];
+    real c[DEGREE + 1], error[DEGREE + 1];
+};
+
+static void planted_init(struct planted *p)
+{
+    p->n = p->roots = 0;
+    rationals_init(DEGREE + 1, p->exact);
+    mpq_set_si(p->exact[0], 1, 1);
+}
+
+static void planted_clear(struct planted *p)
+{
+    rationals_clear(DEGREE + 1, p->exact);
+}
+
+/* Multiplies by factor[0] + factor[1] z + ... + factor[k] z^k, all in scaled Bernstein form (z = v / (1 -
+ * v)). */
+static void multiply(struct planted *p, int k, mpq_t *factor)
+{
+    mpq_t out[DEGREE + 1], term;
+    rationals_init(DEGREE + 1, out);
+    mpq_init(term);
+    for (int i = 0; i <= p->n; i++) {
+        for (int j = 0; j <= k; j++) {
+            mpq_mul(term, p->exact[i], factor[j]);
+            mpq_add(out[i + j], out[i + j], term);
+        }
+    }
+    p->n += k;
+    for (int i = 0; i <= p->n; i++)
+        mpq_set(p->exact[i], out[i]);
+    mpq_clear(term);
+    rationals_clear(DEGREE + 1, out);
+}
+
+/* v - root = (1 - root) v - root (1 - v). */
+static void plant(struct planted *p, real root)
+{
+    mpq_t factor[2];
+    rationals_init(2, factor);
+    real_to_rational(-root, factor[0]);
+    mpq_set_si(factor[1], 1, 1);
+    mpq_add(factor[1], factor[1], factor[0]);
+    multiply(p, 1, factor);
+    rationals_clear(2, factor);
+    p->root[p->roots++] = root;
+}
+
+/* A factor without roots in [0, 1]: positive coefficients. */
+static void plant_nothing(struct planted *p, struct random_state *r, int k)
+{
+    mpq_t factor[DEGREE + 1];
+    rationals_init(k + 1, factor);
+    for (int i = 0; i <= k; i++)
+        mpq_set_si(factor[i], random_between(r, 1, 1000), 64);
+    multiply(p, k, factor);
+    rationals_clear(k + 1, factor);
+}
+
+/* Rounds the exact coefficients and moves each by up to `off` times the largest. */
+static void blur(struct planted *p, struct random_state *r, real off)
+{
+    mpq_t q;
+    mpq_init(q);
+    real largest = 0;
+    for (int i = 0; i <= p->n; i++) {
+        mpq_set_si(q, 1, 1);
+        mpz_bin_uiui(mpq_denref(q), p->n, i);
+        mpq_mul(q, q, p->exact[i]);
+        p->c[i] = real_from_rational(q);
+        largest = real_max(largest, real_abs(p->c[i]));
+    }
+    for (int i = 0; i <= p->n; i++) {
+        p->c[i] += prop_dyadic(r, 20) * off * largest;
+        p->error[i] = off * largest + REAL_EPSILON * 2 * real_abs(p->c[i]);
+    }
+    mpq_clear(q);
+}
+
+/* Simple, double, triple, close, at the ends, at parameters full of digits. */
+static void plant_roots(struct planted *p, struct random_state *r, int n)
+{
+    while (p->n < n) {
+        int room = n - p->n, kind = (int)random_between(r, 0, 5);
+        real root = kind == 0 ? nasty_unit(r) : prop_unit(r, 16);
+        int times = kind == 1 ? 2 : kind == 2 ? 3 : 1;
+        if (kind == 3 && room >= 2) {
+            real beside = root + real_ldexp(1, -(int)random_between(r, 10, REAL_BITS - 4));
+            plant(p, real_min(beside, 1));
+        }
+        for (int i = 0; i < times && p->n < n; i++)
+            plant(p, root);
+        if (kind == 5 && p->n < n)
+            plant_nothing(p, r, n - p->n < 2 ? 1 : 2);
+    }
+}
+
+static int count_lost(const struct planted *p, int count, const struct root *found)
+{
+    int lost = 0;
+    for (int i = 0; i < p->roots; i++) {
+        int j = 0;
+        while (j < count && !(found[j].lo <= p->root[i] && p->root[i] <= found[j].hi))
+            j++;
+        lost += j == count;
+    }
+    return lost;
+}
+
+static int count_held(const struct planted *p, const struct root *r)
+{
+    int held = 0;
+    for (int i = 0; i < p->roots; i++)
+        held += r->lo <= p->root[i] && p->root[i] <= r->hi;
+    return held;
+}
+
+static void make_planted(struct planted *p, struct random_state *r)
+{
+    planted_init(p);
+    plant_roots(p, r, (int)random_between(r, 1, DEGREE));
+    int finest = REAL_BITS - 2 < 100 ? REAL_BITS - 2 : 100;
+    blur(p, r, random_bits(r) % 3 ? real_ldexp(1, -(int)random_between(r, 10, finest)) : (real)0);
+}
+
+static void test_planted(void **state)
+{
+    (void)state;
+    static real scratch[SCRATCH];
+    assert_true(roots_scratch(DEGREE) <= SCRATCH);
+    for (int i = 0; i < trials(8000); i++) {
+        struct random_state r = random_for(1, "planted", (uint64_t)i);
+        struct planted p;
+        struct root found[DEGREE + 1];
+        make_planted(&p, &r);
+        int count = roots_find(p.n, p.c, p.error, real_ldexp(1, -30), scratch, DEGREE + 1, found);
+        if (count_lost(&p, count, found) > 0)
+            fail_msg("case %d: a root is lost", i);
+        for (int j = 0; j < count; j++) {
+            int held = count_held(&p, &found[j]);
+            if (held > found[j].at_most || (found[j].single && held != 1))
+                fail_msg("case %d: %d roots where at most %d were promised", i, held, found[j].at_most);
+            if (found[j].lo > found[j].hi || (j > 0 && found[j - 1].hi >= found[j].lo))
+                fail_msg("case %d: enclosures out of order", i);
+        }
+        planted_clear(&p);
+    }
+}
+
+/* All in one enclosure if there is room for one only. */
+static void test_room(void **state)
+{
+    (void)state;
+    static real scratch[SCRATCH];
+    for (int i = 0; i < trials(1000); i++) {
+        struct random_state r = random_for(2, "room", (uint64_t)i);
+        struct planted p;
+        struct root found;
+        make_planted(&p, &r);
+        int count = roots_find(p.n, p.c, p.error, real_ldexp(1, -30), scratch, 1, &found);
+        assert_true(count <= 1 && count_lost(&p, count, &found) == 0);
+        planted_clear(&p);
+    }
+}
+
+/* Well separated simple roots with coefficients rounded once: as narrow as asked, and each proved to be one.
+ */
+static void test_narrow(void **state)
+{
+    (void)state;
+    static real scratch[SCRATCH];
+    const real tolerance = real_ldexp(1, -REAL_BITS / 2);
+    for (int i = 0; i < trials(1000); i++) {
+        struct random_state r = random_for(3, "narrow", (uint64_t)i);
+        struct planted p;
+        struct root found[DEGREE + 1];
+        planted_init(&p);
+        for (int k = 1; k <= 4; k++)
+            plant(&p, ((real)k + prop_unit(&r, 16) / 2) / 8);
+        plant_nothing(&p, &r, 3);
+        blur(&p, &r, 0);
+        int count = roots_find(p.n, p.c, p.error, tolerance, scratch, DEGREE + 1, found);
+        assert_int_equal(count, 4);
+        for (int j = 0; j < count; j++)
+            assert_true(found[j].single && found[j].at_most == 1 && found[j].hi - found[j].lo <= tolerance);
+        planted_clear(&p);
+    }
+}
+
+/* A double root is counted as two once the enclosure is seen from far enough. */
+static void test_double_root(void **state)
+{
+    (void)state;
+    static real scratch[SCRATCH];
+    for (int i = 0; i < trials(1000); i++) {
+        struct random_state r = random_for(4, "double", (uint64_t)i);
+        struct planted p;
+        struct root found[DEGREE + 1];
+        real root = ((real)1 + 2 * prop_unit(&r, 16)) / 4;
+        planted_init(&p);
+        plant(&p, root);
+        plant(&p, root);
+        plant_nothing(&p, &r, 4);
+        blur(&p, &r, real_ldexp(1, -REAL_BITS + 8));
+        int count = roots_find(p.n, p.c, p.error, real_ldexp(1, -REAL_BITS), scratch, DEGREE + 1, found);
+        assert_int_equal(count, 1);
+        assert_int_equal(found[0].at_most, 2);
+        assert_false(found[0].single);
+        assert_true(found[0].hi - found[0].lo < real_ldexp(1, -REAL_BITS / 2 + 12));
+        planted_clear(&p);
+    }
+}
+
+/* Negative control: with the errors of the coefficients kept from it, the finder loses roots. */
+static void test_margins_are_needed(void **state)
+{
+    (void)state;
+    static real scratch[SCRATCH];
+    int lost = 0;
+    for (int i = 0; i < trials(1000); i++) {
+        struct random_state r = random_for(5, "margins", (uint64_t)i);
+        struct planted p;
+        struct root found[DEGREE + 1];
+        make_planted(&p, &r);
+        for (int k = 0; k <= p.n; k++)
+            p.error[k] = 0;
+        lost += count_lost(&p, roots_find(p.n, p.c, p.error, real_ldexp(1, -30), scratch, DEGREE + 1, found),
+                           found);
+        planted_clear(&p);
+    }
+    assert_true(lost > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_planted),
+        cmocka_unit_test(test_room),
+        cmocka_unit_test(test_narrow),
+        cmocka_unit_test(test_double_root),
+        cmocka_unit_test(test_margins_are_needed),
+    };
+    return cmocka_run_group_tests_name("roots", tests, NULL, NULL);
+}
