@@ -6,7 +6,7 @@
 
 /* The hull of the points (i/n, c[i]), i = 0..n, meets {y >= 0} over an interval; narrows [*lo, *hi],
  * within [0, 1], to it.  Returns 0, and leaves them alone, if it is empty.  The interval is widened by 4
- * REAL_EPSILON at each end that is not 0 or 1, which covers the rounding of the crossings (5 u of at most 1
+ * REAL_EPSILON at each end that is not 0 or 1, which covers the rounding of the crossings (7 u of at most 1
  * each).
  *
  * The least t of the hull above 0 lies on a segment from a point below to a later point above; so the least
