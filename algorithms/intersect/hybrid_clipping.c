@@ -12,7 +12,8 @@
  *
  * hybrid_clipping_k clips the wider parameter interval, takes delta for the planar error, and halves both
  * curves when no more than half is removed.  hybrid_clipping_k_arc is the same body with the two-sided scalar
- * delta, the geometrically longer arc clipped and halved, and a test by oriented boxes first. */
+ * delta, the geometrically longer arc clipped and halved, and a test by oriented boxes before it is halved.
+ */
 #include "../core/band.h"
 #include "../core/cells.h"
 #include "../core/reduce.h"
@@ -32,27 +33,51 @@ struct bounds_of_distance {
     real above[BAND_DEGREE_MAX + 1], below[BAND_DEGREE_MAX + 1];
 };
 
-/* The distances reduced as they are, each widened by its largest residual: two-sided. */
+struct residual_range {
+    real lo, hi;
+};
+
+/* q = the reduction of the distances d, and the range of d - q with its rounding. */
+static inline struct residual_range reduce_distances(const struct reduction *r, const real *d, real *q)
+{
+    struct residual_range range = {0, 0};
+    real rest[DEGREE_MAX + 1];
+    reduction_apply(r, 1, d, q);
+    if (!r->reduce) {
+        return range;
+    }
+    real bound = reduction_residual(r, 1, d, q, rest);
+    for (int i = 0; i <= r->n; i++) {
+        range.lo = real_min(range.lo, rest[i]);
+        range.hi = real_max(range.hi, rest[i]);
+    }
+    range.lo = range.lo - bound;
+    range.hi = range.hi + bound;
+    return range;
+}
+
+/* The distances reduced as they are, widened on either side by their residuals.  For a polynomial curve the
+ * distances from the two lines add up to the thickness of the strip, and one reduction serves both; roundings
+ * here: 3 u of thickness + |q| + |range|. */
 static inline void reduce_scalar(const struct reduction *r, const struct strip *s, const struct arc *a,
                                  struct bounds_of_distance *out)
 {
-    real above[DEGREE_MAX + 1], below[DEGREE_MAX + 1], rest[DEGREE_MAX + 1];
+    real above[DEGREE_MAX + 1], below[DEGREE_MAX + 1];
     strip_distances(s, a, above, below);
-    for (int side = 0; side < 2; side++) {
-        const real *d = side ? below : above;
-        real *q = side ? out->below : out->above, most = 0, largest = 0;
-        reduction_apply(r, 1, d, q);
-        real bound = reduction_residual(r, 1, d, q, rest);
-        for (int i = 0; i <= a->degree; i++) {
-            most = real_max(most, rest[i]);
-        }
-        for (int i = 0; i <= r->k; i++) {
-            largest = real_max(largest, real_abs(q[i]));
-        }
-        most = most + (bound + REAL_EPSILON * (largest + most));
-        for (int i = 0; i <= r->k; i++) {
-            q[i] = q[i] + most;
-        }
+    struct residual_range rest = reduce_distances(r, above, out->above), other = {-rest.hi, -rest.lo};
+    real thickness = s->hi - s->lo, largest = thickness + rest.hi - rest.lo;
+    if (a->w) {
+        other = reduce_distances(r, below, out->below);
+    }
+    for (int i = 0; i <= r->k; i++) {
+        largest = real_max(largest, real_abs(out->above[i]) + (rest.hi - rest.lo));
+        out->below[i] = a->w ? out->below[i] : thickness - out->above[i];
+        largest = real_max(largest, real_abs(out->below[i]) + (other.hi - other.lo));
+    }
+    real pad = 4 * REAL_EPSILON * largest;
+    for (int i = 0; i <= r->k; i++) {
+        out->above[i] = out->above[i] + (rest.hi + pad);
+        out->below[i] = out->below[i] + (other.hi + pad);
     }
 }
 
@@ -155,9 +180,6 @@ static inline ALWAYS_INLINE int shrink(const struct rules *rules, const struct p
                                        struct piece piece[PIECES_MAX])
 {
     struct arc f = cell_f(p, c), g = cell_g(p, c);
-    if (rules->arc && !arc_oriented_boxes_meet(&f, &g, p->bounds.scale)) {
-        return 0;
-    }
     bool on_g = clips_g(p, c, &f, &g, rules->arc);
     struct reduction r = reduction_at(p, w, rules->k, on_g);
     struct band kept;
@@ -172,6 +194,9 @@ static inline ALWAYS_INLINE int shrink(const struct rules *rules, const struct p
     }
     if (kept.count == 0 || 2 * widest < width) {
         return kept.count;
+    }
+    if (rules->arc && !arc_oriented_boxes_meet(&f, &g, p->bounds.scale)) {
+        return 0;
     }
     if (rules->arc && kept.count == 1) {
         cell_narrow(p, c, &piece[0]);
