@@ -163,6 +163,29 @@ static int is_negative_between(const struct polynomial *p, real lo, real hi)
     return is_negative(p->k, part, p->error, 5);
 }
 
+/* The same between the stationary points: halving takes many steps to tell a maximum just below 0 from one at
+ * 0, but over an interval that ends there the Bernstein coefficients of a parabola do not rise above it. */
+static int is_negative_by_parts(const struct polynomial *p, real lo, real hi)
+{
+    real slopes[BAND_DEGREE_MAX], at[BAND_DEGREE_MAX];
+    if (p->k == 1) {
+        return 0;
+    }
+    for (int i = 0; i < p->k; i++) {
+        slopes[i] = p->c[i + 1] - p->c[i];
+    }
+    int count = guess_roots(p->k - 1, slopes, at);
+    for (int i = 0; i < count; i++) {
+        if (at[i] > lo && at[i] < hi) {
+            if (!is_negative_between(p, lo, at[i])) {
+                return 0;
+            }
+            lo = at[i];
+        }
+    }
+    return is_negative_between(p, lo, hi);
+}
+
 /* How far from its root r the polynomial is sure to have left 0: four times the rounding over the slope. */
 static real first_pad(const struct polynomial *p, real r)
 {
@@ -183,7 +206,7 @@ static int prove_gap(const struct polynomial *p, real *lo, real *hi)
         pad_lo = real_min(pad_lo, quarter * width);
         pad_hi = real_min(pad_hi, quarter * width);
         real a = *lo + pad_lo, b = *hi - pad_hi;
-        if (is_negative_between(p, a, b)) {
+        if (is_negative_between(p, a, b) || is_negative_by_parts(p, a, b)) {
             *lo = a;
             *hi = b;
             return 1;
