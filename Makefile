@@ -21,8 +21,8 @@ PRECISIONS = double quad multi
 
 # ---- what is built from what ---------------------------------------------------------------------------------
 
-COMMON_MODULES = case case_fields case_expected number random row exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter exact_answer json_text truth_compare referee referee_truth referee_place referee_pair krawczyk anchored $(COMMON_EXTRA)
-REAL_MODULES   = real_text problem answer judge judge_groups judge_curves judge_overlaps check_options check_case check_table algorithms_named external solve_options answer_table clock case_set timing timing_rows time_options
+COMMON_MODULES = case case_fields case_expected number random row exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter exact_answer json_text truth_compare referee referee_truth referee_place referee_pair referee_krawczyk referee_cells $(COMMON_EXTRA)
+REAL_MODULES   = real_text problem answer judge judge_groups judge_curves judge_overlaps check_options check_case check_table check_worker algorithms_named external solve_options answer_table clock case_set timing timing_rows time_options
 COMMON_EXTRA   = progress statistics
 
 ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c)
