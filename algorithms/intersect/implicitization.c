@@ -23,11 +23,13 @@ struct state {
     struct crossings *out;
     struct lowered side[2];
     const struct lowered *a, *b;
+    struct interval place; /* of the part of b whose polynomial is solved */
+    struct lowered part;
     bool a_is_f;
     real tolerance_u, tolerance_v;
     int degree; /* of the resultant */
     real *scratch;
-    bool undecided;
+    enum outcome outcome;
 };
 
 /* ---- records ---- */
@@ -62,8 +64,8 @@ static bool cut_to_domain(struct interval *t, bool *inside)
     return t->lo <= t->hi;
 }
 
-/* A zero of multiplicity k moves by the k-th root of a relative error: 2^20 eps is the most that is let pass.
- */
+/* A zero of multiplicity k moves by the k-th root of a relative error: up to 2^20 eps it is told where it may
+ * be. */
 static bool is_no_wider_than_conditioning(real width, int k)
 {
     real power = 1;
@@ -108,18 +110,25 @@ static enum proof settle(const struct state *z, struct interval *u, struct inter
             proof = NO_ZERO;
         }
     }
+    if (proof == UNDECIDED) {
+        x->t = z->a_is_f ? *u : *v;
+        x->s = z->a_is_f ? *v : *u;
+    }
     return proof;
 }
 
-/* A box that stays undecided: a cluster where the resultant bounds the number of zeros. */
+/* A box that stays undecided, because there is a contact or next to one, or none by less than rounding. */
 static void add_undecided(struct state *z, const struct root *r, struct crossing *x)
 {
     real t = x->t.hi - x->t.lo, s = x->s.hi - x->s.lo;
-    if (!z->a->reduced && !z->b->reduced && is_no_wider_than_conditioning(real_max(t, s), r->at_most)) {
-        x->standing = CLUSTER;
+    if (!z->a->reduced && !z->b->reduced && z->place.hi - z->place.lo == 1) {
         x->at_most = r->at_most;
-    } else if (t > z->bounds->tolerance_t || s > z->bounds->tolerance_s) {
-        z->undecided = true;
+    }
+    if (t > z->bounds->tolerance_t || s > z->bounds->tolerance_s) {
+        z->outcome = z->outcome == SOLVED ? OUT_OF_STEPS : z->outcome;
+        if (!is_no_wider_than_conditioning(real_max(t, s), r->at_most)) {
+            z->outcome = UNSUPPORTED;
+        }
     }
     crossings_add(z->out, x);
 }
@@ -167,6 +176,42 @@ static struct arc arc_of_curve(const struct curve *c, real scale)
     return a;
 }
 
+/* Is a to be made implicit, rather than b?  The lower degree costs less; a larger curve is better
+ * conditioned. */
+static bool is_easier(const struct lowered *a, const struct lowered *b)
+{
+    return a->polygon.degree != b->polygon.degree ? a->polygon.degree < b->polygon.degree
+                                                  : a->size >= b->size;
+}
+
+/* Restricts b to where it may meet a, if it is far larger: else its polynomial would say little of what
+ * happens at a. The part's place in b is z->place.  false: it meets a nowhere. */
+static bool choose_part(struct state *z)
+{
+    const struct interval all = {0, 1};
+    z->place = all;
+    if (z->b->size <= 16 * z->a->size) {
+        return true;
+    }
+    if (!clip_to_patch(z, z->a, &all, z->b, (real)1 / 1024, &z->place)) {
+        return false;
+    }
+    lowered_cut(z->b, z->place.lo, z->place.hi, &z->part);
+    return true;
+}
+
+/* From the part's parameters to b's: three roundings of at most u hi. */
+static struct root to_place(const struct interval *place, const struct root *r)
+{
+    struct root b = *r;
+    real width = place->hi - place->lo, pad = 2 * REAL_EPSILON * place->hi;
+    if (place->lo > 0 || place->hi < 1) {
+        b.lo = real_max(place->lo, place->lo + width * r->lo - pad);
+        b.hi = real_min(place->hi, place->lo + width * r->hi + pad);
+    }
+    return b;
+}
+
 static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
 {
     struct state z;
@@ -175,10 +220,10 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
     z.f = arc_of_curve(&p->f, p->bounds.scale);
     z.g = arc_of_curve(&p->g, p->bounds.scale);
     z.out = out;
-    z.undecided = false;
+    z.outcome = SOLVED;
     lowered_init(&z.f, p->bounds.scale, &z.side[0]);
     lowered_init(&z.g, p->bounds.scale, &z.side[1]);
-    z.a_is_f = z.side[0].polygon.degree <= z.side[1].polygon.degree;
+    z.a_is_f = is_easier(&z.side[0], &z.side[1]);
     z.a = &z.side[!z.a_is_f];
     z.b = &z.side[z.a_is_f];
     z.tolerance_u = z.a_is_f ? p->bounds.tolerance_t : p->bounds.tolerance_s;
@@ -190,20 +235,26 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
     }
     real *c = w->scratch, *error = c + z.degree + 1;
     z.scratch = error + z.degree + 1;
-    implicit_resultant(&z.a->polygon, &z.b->polygon, z.scratch, c, error);
+    if (!choose_part(&z)) {
+        return SOLVED;
+    }
+    real width = z.place.hi - z.place.lo;
+    const struct polygon *part = width < 1 ? &z.part.polygon : &z.b->polygon;
+    implicit_resultant(&z.a->polygon, part, z.scratch, c, error);
     if (implicit_vanishes(z.degree, c, error)) {
         return UNSUPPORTED;
     }
-    int count = roots_find(z.degree, c, error, z.tolerance_v / 8, z.scratch, ROOTS_MAX, root);
+    real tolerance = width > 0 ? z.tolerance_v / (8 * width) : (real)1;
+    int count = roots_find(z.degree, c, error, tolerance, z.scratch, ROOTS_MAX, root);
     for (int i = 0; i < count; i++) {
+        struct root r = to_place(&z.place, &root[i]);
         w->steps++;
-        solve_root(&z, &root[i]);
+        solve_root(&z, &r);
     }
-    if (z.undecided) {
+    if (z.outcome == UNSUPPORTED) {
         out->count = 0;
-        return UNSUPPORTED;
     }
-    return SOLVED;
+    return z.outcome;
 }
 
 static size_t scratch(int n, int m)
