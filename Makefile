@@ -113,6 +113,12 @@ tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-o
 define test_rules
 build/$(1)/tests/test_%: build/$(1)/tests/test_%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
+# The watched algorithms against the others, whose answers a program of its own prints.
+build/$(1)/tests/answers: build/$(1)/tests/answers.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
+	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
+build/$(1)/tests/test_watched: build/$(1)/tests/test_watched.o build/$(1)/libharness.a build/$(1)/libwatched.a \
+                               | build/$(1)/tests/answers
+	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
 endef
 $(foreach P,$(PRECISIONS),$(eval $(call test_rules,$(P))))
 
