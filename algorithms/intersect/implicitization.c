@@ -118,20 +118,28 @@ static enum proof settle(const struct state *z, struct interval *u, struct inter
     return proof;
 }
 
-/* A box that stays undecided, because there is a contact or next to one, or none by less than rounding. */
-static void add_undecided(struct state *z, const struct root *r, struct crossing *x)
+/* A box of at most k zeros.  Where it is wider than asked, and not for a proved zero's conditioning only, the
+ * precision is exhausted: the answer goes no further than its records. */
+static void admit(struct state *z, int k, const struct crossing *x)
 {
     real t = x->t.hi - x->t.lo, s = x->s.hi - x->s.lo;
+    bool narrow = t <= z->bounds->tolerance_t && s <= z->bounds->tolerance_s;
+    bool sharp = is_no_wider_than_conditioning(real_max(t, s), k);
+    if (!narrow && (x->standing == CANDIDATE || !sharp)) {
+        z->outcome = !sharp && x->standing == CANDIDATE ? UNSUPPORTED
+                     : z->outcome == SOLVED             ? OUT_OF_STEPS
+                                                        : z->outcome;
+    }
+    crossings_add(z->out, x);
+}
+
+/* A box that stays undecided, because there is a contact or next to one, or none by less than rounding. */
+static void admit_undecided(struct state *z, const struct root *r, struct crossing *x)
+{
     if (!z->a->reduced && !z->b->reduced && z->place.hi - z->place.lo == 1) {
         x->at_most = r->at_most;
     }
-    if (t > z->bounds->tolerance_t || s > z->bounds->tolerance_s) {
-        z->outcome = z->outcome == SOLVED ? OUT_OF_STEPS : z->outcome;
-        if (!is_no_wider_than_conditioning(real_max(t, s), r->at_most)) {
-            z->outcome = UNSUPPORTED;
-        }
-    }
-    crossings_add(z->out, x);
+    admit(z, r->at_most, x);
 }
 
 static void record(struct state *z, const struct root *r, struct interval u, struct interval v, int depth);
@@ -167,12 +175,12 @@ static void record(struct state *z, const struct root *r, struct interval u, str
     bool inside = true;
     enum proof proof = settle(z, &u, &v, &x);
     if (proof == UNDECIDED && (depth >= DEPTH_MAX || !divide_by_gap(z, r, &u, &v, depth))) {
-        add_undecided(z, r, &x);
+        admit_undecided(z, r, &x);
     } else if (proof == ONE_ZERO && cut_to_domain(&x.t, &inside) && cut_to_domain(&x.s, &inside) &&
                !is_known(z, &x.t, &x.s)) {
         x.standing = inside ? UNIQUE : END;
         x.at_most = x.multiplicity = 1;
-        crossings_add(z->out, &x);
+        admit(z, 1, &x);
     }
 }
 
@@ -272,11 +280,14 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
     real width = z.place.hi - z.place.lo;
     const struct polygon *part = width < 1 ? &z.part.polygon : &z.b->polygon;
     implicit_resultant(&z.a->polygon, part, z.scratch, c, error);
-    if (implicit_vanishes(z.degree, c, error)) {
-        return UNSUPPORTED;
-    }
     real tolerance = width > 0 ? z.tolerance_v / (8 * width) : (real)1;
-    int count = roots_find(z.degree, c, error, tolerance, z.scratch, ROOTS_MAX, root);
+    int count = 1;
+    if (implicit_vanishes(z.degree, c, error)) {
+        const struct root anywhere = {0, 1, z.degree, false};
+        root[0] = anywhere;
+    } else {
+        count = roots_find(z.degree, c, error, tolerance, z.scratch, ROOTS_MAX, root);
+    }
     for (int i = 0; i < count; i++) {
         struct root r = to_place(&z.place, &root[i]);
         w->steps++;
