@@ -283,6 +283,8 @@ def make(quiet=False):
     main = by_family(checks(), times())
     if main.empty:
         sys.exit("tables: there are no rows in results/raw/; make reproduce measures them")
+    for path in [*TABLES.glob("counts-*"), *TABLES.glob("times-*")]:
+        path.unlink()
     raw = "`results/raw/check-*`"
     write(main, "families", "Every algorithm on every family", f"{raw} and `results/raw/time-*`")
     write(summed(main, ["precision", "algorithm"]), "algorithms", "Every algorithm, all families together", raw)
