@@ -104,8 +104,8 @@ struct workspace {
     real *prepared; /* scaled copies of both curves */
     real *scratch;  /* intersector.scratch(n, m) numbers, for algorithms that ask for them */
     size_t scratch_length;
-    /* What scratch holds: true if the last solve was by the same algorithm for the same degrees, so that tables
-     * which depend on nothing else need not be made again. */
+    /* What scratch holds: true if the last solve was by the same algorithm for the same degrees, so that
+     * tables which depend on nothing else need not be made again. */
     bool planned;
     const struct intersector *plan;
     int plan_n, plan_m;
@@ -134,7 +134,7 @@ struct intersector {
  * their exact names only: negative controls for the tests. */
 extern const struct intersector *const intersectors[];
 extern const struct intersector *const controls[];
-extern const struct intersector *const intersector_default; /* for whoever asks for none by name */
+extern const struct intersector *const intersector_default;   /* for whoever asks for none by name */
 const struct intersector *intersector_find(const char *name); /* in either table; NULL if there is none */
 
 /* Bytes for curves of degree <= n, <= m, `room` waiting cells and `scratch` numbers. */
