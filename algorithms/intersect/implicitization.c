@@ -7,7 +7,7 @@
  * it, and u in an interval for all v of an enclosure.  Where these bounds decide nothing, the answer is
  * UNSUPPORTED. */
 #include "../bezier.h"
-#include "../core/gap.h"
+#include "../core/contact.h"
 #include "../core/implicit.h"
 #include "../core/krawczyk.h"
 #include "../core/lowered.h"
@@ -148,13 +148,13 @@ static void record(struct state *z, const struct root *r, struct interval u, str
 static bool divide_by_gap(struct state *z, const struct root *r, const struct interval *u,
                           const struct interval *v, int depth)
 {
-    struct gap_piece piece[GAP_DEGREE_MAX + 1];
+    struct contact_piece piece[CONTACT_DEGREE_MAX + 1];
     const real before = u->hi - u->lo + v->hi - v->lo;
     real after = 0;
-    int count = gap_meet(z->b_given, v, z->a_given, u, z->tolerance_v / 8, z->scratch, piece);
+    int count = contact_meet(z->b_given, v, z->a_given, u, z->tolerance_v / 8, z->scratch, piece);
     bool by_a = count < 0; /* a has a cusp there: then along b */
     if (by_a) {
-        count = gap_meet(z->a_given, u, z->b_given, v, z->tolerance_u / 8, z->scratch, piece);
+        count = contact_meet(z->a_given, u, z->b_given, v, z->tolerance_u / 8, z->scratch, piece);
     }
     for (int i = 0; i < count; i++) {
         after += piece[i].t.hi - piece[i].t.lo + piece[i].s.hi - piece[i].s.lo;

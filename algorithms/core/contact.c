@@ -1,4 +1,4 @@
-#include "gap.h"
+#include "contact.h"
 
 #include "bernstein.h"
 #include "patch.h"
@@ -143,7 +143,7 @@ static bool choose_ends(const struct local *f, const struct local *g, const stru
 static real subtract(const struct local *f, const struct local *g, real *across, real *weight)
 {
     const int n = f->n, m = g->n;
-    real p[GAP_DEGREE_MAX + 1], q[GAP_DEGREE_MAX + 1], along = 0;
+    real p[CONTACT_DEGREE_MAX + 1], q[CONTACT_DEGREE_MAX + 1], along = 0;
     bernstein_multiply(n, f->w, m, g->w, weight);
     bernstein_multiply(n, f->x, m, g->w, p);
     bernstein_multiply(n, f->w, m, g->x, q);
@@ -158,15 +158,15 @@ static real subtract(const struct local *f, const struct local *g, real *across,
     return along;
 }
 
-int gap_meet(const struct lowered *f, const struct interval *t, const struct lowered *g,
-             const struct interval *s, real tolerance, real *scratch,
-             struct gap_piece out[GAP_DEGREE_MAX + 1])
+int contact_meet(const struct lowered *f, const struct interval *t, const struct lowered *g,
+                 const struct interval *s, real tolerance, real *scratch,
+                 struct contact_piece out[CONTACT_DEGREE_MAX + 1])
 {
     const int n = f->polygon.degree, m = g->polygon.degree;
     struct patch patch;
     struct local a, b;
-    real first, last, eta, drift, c[GAP_DEGREE_MAX + 1], error[GAP_DEGREE_MAX + 1];
-    struct root root[GAP_DEGREE_MAX + 1];
+    real first, last, eta, drift, c[CONTACT_DEGREE_MAX + 1], error[CONTACT_DEGREE_MAX + 1];
+    struct root root[CONTACT_DEGREE_MAX + 1];
     const real width = t->hi - t->lo;
     if (width < 64 * REAL_EPSILON || s->hi - s->lo < 64 * REAL_EPSILON) {
         return -1;
@@ -191,7 +191,7 @@ int gap_meet(const struct lowered *f, const struct interval *t, const struct low
     for (int i = 0; i < found; i++) {
         real pad = 4 * REAL_EPSILON, spread = along * eta + pad;
         real x = first + (last - first) * root[i].lo, y = first + (last - first) * root[i].hi;
-        struct gap_piece p = {
+        struct contact_piece p = {
             {real_max(t->lo, t->lo + width * root[i].lo - pad),
              real_min(t->hi, t->lo + width * root[i].hi + pad)},
             {real_max(s->lo, real_min(x, y) - spread), real_min(s->hi, real_max(x, y) + spread)}};

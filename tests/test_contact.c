@@ -4,7 +4,7 @@
 #include "nasty.h"
 
 #include "../algorithms/core/bernstein.h"
-#include "../algorithms/core/gap.h"
+#include "../algorithms/core/contact.h"
 #include "../algorithms/core/roots.h"
 
 enum { DEGREE = 6, SCRATCH = 8192 };
@@ -73,11 +73,11 @@ static void test_zero_is_kept(void **state)
     for (int i = 0; i < cases; i++) {
         struct random_state r = random_for(1, "kept", (uint64_t)i);
         struct contact c;
-        struct gap_piece piece[GAP_DEGREE_MAX + 1];
+        struct contact_piece piece[CONTACT_DEGREE_MAX + 1];
         contact_make(&c, &r);
         real width = real_ldexp(1, -(int)random_between(&r, 2, REAL_BITS - 8)), after = 0;
         struct interval t = around(&r, c.zero, width), s = around(&r, c.zero, width);
-        int count = gap_meet(&c.a, &t, &c.b, &s, 8 * REAL_EPSILON, scratch, piece), held = 0;
+        int count = contact_meet(&c.a, &t, &c.b, &s, 8 * REAL_EPSILON, scratch, piece), held = 0;
         for (int j = 0; j < count; j++) {
             held += holds(&piece[j].t, c.zero) && holds(&piece[j].s, c.zero);
             after += piece[j].t.hi - piece[j].t.lo;
@@ -97,14 +97,14 @@ static void test_contact_is_narrowed(void **state)
     const real along[2] = {0, 1}, zero[2] = {0, 0};
     const struct arc f = {2, x, y, NULL, 0}, g = {1, along, zero, NULL, 0};
     struct lowered a, b;
-    struct gap_piece piece[GAP_DEGREE_MAX + 1];
+    struct contact_piece piece[CONTACT_DEGREE_MAX + 1];
     lowered_take(&f, &a);
     lowered_take(&g, &b);
     for (int k = 4; k < REAL_BITS / 2 - 8; k += 3) {
         real h = real_ldexp(1, -k);
         struct interval t = {(real)1 / 2 - h, (real)1 / 2 + h / 3},
                         s = {(real)1 / 2 - h / 3, (real)1 / 2 + h};
-        assert_int_equal(gap_meet(&a, &t, &b, &s, REAL_EPSILON, scratch, piece), 1);
+        assert_int_equal(contact_meet(&a, &t, &b, &s, REAL_EPSILON, scratch, piece), 1);
         assert_true(holds(&piece[0].t, (real)1 / 2) && holds(&piece[0].s, (real)1 / 2));
         assert_true(piece[0].t.hi - piece[0].t.lo < real_ldexp(1, -REAL_BITS / 2 + 5));
     }
