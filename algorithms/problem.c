@@ -11,7 +11,7 @@ static bool curve_measure(const struct curve *c, real *extent)
     if (c->degree < 1 || c->degree > DEGREE_MAX || !(c->domain.lo < c->domain.hi)) {
         return false;
     }
-    real rest = (c->domain.lo - c->domain.lo) + (c->domain.hi - c->domain.hi), most = *extent;
+    real width = c->domain.hi - c->domain.lo, rest = width - width, most = *extent;
     for (int i = 0; i <= c->degree; i++) {
         real a = real_max(real_abs(c->x[i]), real_abs(c->y[i]));
         rest += (c->x[i] - c->x[i]) + (c->y[i] - c->y[i]);
@@ -94,7 +94,10 @@ static int curve_compare(const struct curve *a, const struct curve *b)
             }
         }
     }
-    return 0;
+    if (a->domain.lo != b->domain.lo) {
+        return a->domain.lo < b->domain.lo ? -1 : 1;
+    }
+    return a->domain.hi < b->domain.hi ? -1 : a->domain.hi > b->domain.hi;
 }
 
 /* ---- the way back ---- */
@@ -105,8 +108,8 @@ static void to_domain(const struct interval *domain, struct interval *t)
     if (a == 0 && b == 1) {
         return;
     }
-    real pad =
-        2 * REAL_EPSILON * real_max(real_abs(a), real_abs(b)); /* three roundings of at most 2 max each */
+    /* u of b - a and of the product, at most 2 max each; u of the sum and of the end, at most max each */
+    real pad = 4 * REAL_EPSILON * real_max(real_abs(a), real_abs(b));
     real lo = a + (b - a) * t->lo - pad, hi = a + (b - a) * t->hi + pad;
     t->lo = t->lo == 0 ? a : real_max(a, lo);
     t->hi = t->hi == 1 ? b : real_min(b, hi);

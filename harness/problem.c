@@ -93,7 +93,7 @@ void workspace_make(struct workspace *w, const struct intersector *const *a, int
 {
     size_t scratch = 0;
 
-    for (; *a; a++) {
+    for (; a && *a; a++) {
         if ((*a)->scratch) {
             /* problem_solve may exchange the curves */
             size_t nm = (*a)->scratch(n, m), mn = (*a)->scratch(m, n);

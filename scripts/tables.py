@@ -5,6 +5,7 @@ import argparse
 import json
 import sys
 import textwrap
+from collections import Counter
 from pathlib import Path
 
 import pandas as pd
@@ -12,9 +13,11 @@ import pandas as pd
 ROOT = Path(__file__).resolve().parent.parent
 RAW = ROOT / "results/raw"
 TABLES = ROOT / "results/tables"
+MASS = ROOT / "build/mass"  # too many rows to keep
 VERDICTS = {"RIGHT": "right", "WRONG": "wrong", "STOPPED": "stopped", "NOT_TAKEN": "not_taken",
             "UNJUDGED": "unjudged"}
 COUNTS = ["missed", "extra", "duplicate", "merged", "undecided"]
+SUMS = ["pairs", *VERDICTS.values(), "expected", "found", *COUNTS]
 KEY = ["family", "degrees", "algorithm", "precision"]
 PRECISIONS = ["double", "quad", "multi"]
 
@@ -80,8 +83,8 @@ def orders():
 
 
 def checks():
-    """A row a family, pair of degrees, algorithm and precision: how many pairs got which verdict, what was missed or extra.
-    Ambiguous pairs are counted, but not judged."""
+    """A row a family, pair of degrees, algorithm and precision: how many pairs got which verdict, what was missed
+    or extra.  Ambiguous pairs are counted, but not judged."""
     rows = read_rows("check")
     if rows.empty:
         return rows
@@ -95,6 +98,22 @@ def checks():
     table["max_error"] = judged[judged.verdict == "RIGHT"].groupby(KEY)["max_error"].max()
     table["ambiguous"] = rows.groupby(KEY)["ambiguous"].sum()
     return in_order(table.reset_index(), orders())
+
+
+def masses():
+    """A row a judge, pair of degrees and algorithm: random pairs whose answers the judge found afresh."""
+    rows = []
+    for path in sorted(MASS.glob("check-*.jsonl")):
+        _, judge, degrees = path.stem.split("-")
+        sums = {}
+        for row in map(json.loads, open(path)):
+            if "verdict" in row:
+                counts = sums.setdefault(row["algorithm"], Counter())
+                counts.update({"pairs": 1, VERDICTS[row["verdict"]]: 1, "expected": row["expected"] or 0,
+                               **{what: row[what] for what in ("found", *COUNTS)}})
+        rows += [{"judge": judge, "degrees": degrees, "algorithm": algorithm,
+                  **{column: counts[column] for column in SUMS}} for algorithm, counts in sums.items()]
+    return pd.DataFrame(rows)
 
 
 def times():
@@ -117,7 +136,7 @@ def by_family(checked, timed):
 
 
 def summed(checked, columns):
-    sums = ["pairs", *VERDICTS.values(), "expected", "found", *COUNTS, "ambiguous"]
+    sums = [c for c in (*SUMS, "ambiguous") if c in checked]
     return checked.groupby(columns, sort=False)[sums].sum().reset_index()
 
 
@@ -240,7 +259,7 @@ def is_timed(main, precision):
 def print_summary(main):
     for precision in dict.fromkeys(main.precision):
         rows = summed(main[main.precision == precision], ["algorithm"])
-        columns = ["algorithm", "pairs", *VERDICTS.values(), "expected", "found", *COUNTS]
+        columns = ["algorithm", *SUMS]
         counts, legend = numbered(counts_matrix(main, precision))
         print(f"\n{precision}, all families together: pairs and their verdicts; solutions\n")
         print(aligned(shown(rows[columns])))
@@ -251,11 +270,21 @@ def print_summary(main):
             print(f"\n{about}\n\n{aligned(table)}")
 
 
+def print_masses(many):
+    for judge in dict.fromkeys(many.judge):
+        rows = many[many.judge == judge]
+        degrees = list(dict.fromkeys(rows.degrees))
+        print(f"\ndouble, random pairs of degrees {degrees[0]} to {degrees[-1]}, answers found afresh, judge {judge}\n")
+        print(aligned(shown(summed(rows, ["algorithm"]))))
+
+
 def make(quiet=False):
     """Writes all tables; returns the main one."""
     main = by_family(checks(), times())
     if main.empty:
         sys.exit("tables: there are no rows in results/raw/; make reproduce measures them")
+    for path in [*TABLES.glob("counts-*"), *TABLES.glob("times-*")]:
+        path.unlink()
     raw = "`results/raw/check-*`"
     write(main, "families", "Every algorithm on every family", f"{raw} and `results/raw/time-*`")
     write(summed(main, ["precision", "algorithm"]), "algorithms", "Every algorithm, all families together", raw)
@@ -265,7 +294,14 @@ def make(quiet=False):
         if is_timed(main, precision):
             write(matrix(main, precision), f"times-{precision}", f"Time by family and algorithm, {precision}",
                   "`families.csv`", MATRIX_LEGEND)
+    many = masses()
+    if not many.empty:
+        title = "Random pairs whose answers were found afresh"
+        legend = "Judges: krawczyk, Krawczyk's test at binary128; exact, algebra"
+        write(many, "masses", title, "`build/mass/`", legend)
     if not quiet:
+        if not many.empty:
+            print_masses(many)
         print_summary(main)
     return main
 

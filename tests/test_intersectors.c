@@ -136,7 +136,7 @@ static void test_supported(void **state)
 
 /* ---- what is not a problem ---- */
 
-enum { MISTAKES = 17 };
+enum { MISTAKES = 18 };
 
 /* Makes mistake k in p, whose curve f is rational of degree 3 with the coefficients of `f`. */
 static void spoil(int k, struct problem *p, struct prop_curve *f)
@@ -192,8 +192,12 @@ static void spoil(int k, struct problem *p, struct prop_curve *f)
     case 15:
         c->domain.lo = nan;
         break;
-    default:
+    case 16:
         c->domain.hi = infinite;
+        break;
+    default: /* a width that is not finite */
+        c->domain.lo = -REAL_HUGE;
+        c->domain.hi = REAL_HUGE;
         break;
     }
 }

@@ -38,27 +38,46 @@ static void add_to_entries(int d, int e, int i, int j, int q, real value, real e
     }
 }
 
-/* Coefficient q of every entry.  With differences x, y of the control points, true to within delta + u |x|,
- * the value x_j y_i - x_i y_j of L has the error (|x_j| + |y_i| + |x_i| + |y_j| + 2 delta) delta
- * + 3u (|x_j y_i| + |x_i y_j|) + u |L|; its weights add 6u |L|, and the sum of at most d terms d u |L|. */
+struct place {
+    real x, y;
+};
+
+/* The ball of x_j y_i - x_i y_j for points j and i relative to the third, true to within delta + u |x|.  It
+ * is D_x y_k - x_k D_y with the side D = j - i, true to within side_error + u |D|, and the nearer end k, so
+ * that it keeps its digits where a is small against its distance.  Error of the value: (|x_k| + |y_k| +
+ * delta) side_error
+ * + (|D_x| + |D_y|) delta + 3u (|D_x y_k| + |x_k D_y|) + u |value|. */
+static real triangle(const struct place *j, const struct place *i, const struct place *side, real delta,
+                     real side_error, real *error)
+{
+    real at_i = real_abs(i->x) + real_abs(i->y), at_j = real_abs(j->x) + real_abs(j->y);
+    const struct place *k = at_i <= at_j ? i : j;
+    real first = side->x * k->y, second = k->x * side->y;
+    *error = (real_min(at_i, at_j) + delta) * side_error + (real_abs(side->x) + real_abs(side->y)) * delta +
+             3 * (REAL_EPSILON / 2) * (real_abs(first) + real_abs(second));
+    return first - second;
+}
+
+/* Coefficient q of every entry: balls of L with weights, which add 6u |L|; the sum of at most d of them adds
+ * d u |L|. */
 static void add_coefficient(const struct polygon *a, const struct polygon *b, int q, real *m)
 {
     const real u = REAL_EPSILON / 2;
     const int d = a->degree;
     const real delta = a->error + b->error, factor = scaled_weight(b, q);
-    real x[POINTS_MAX], y[POINTS_MAX], w[POINTS_MAX];
+    struct place p[POINTS_MAX];
+    real w[POINTS_MAX];
     for (int i = 0; i <= d; i++) {
-        x[i] = a->x[i] - b->x[q];
-        y[i] = a->y[i] - b->y[q];
+        p[i].x = a->x[i] - b->x[q];
+        p[i].y = a->y[i] - b->y[q];
         w[i] = scaled_weight(a, i);
     }
     for (int i = 0; i < d; i++) {
         for (int j = i + 1; j <= d; j++) {
-            real first = x[j] * y[i], second = x[i] * y[j], weight = factor * w[i] * w[j];
-            real sum = real_abs(x[i]) + real_abs(y[i]) + real_abs(x[j]) + real_abs(y[j]);
-            real value = first - second;
-            real error = (sum + 2 * delta) * delta + 3 * u * (real_abs(first) + real_abs(second)) +
-                         (7 + d) * u * real_abs(value);
+            const struct place side = {a->x[j] - a->x[i], a->y[j] - a->y[i]};
+            real weight = factor * w[i] * w[j], error;
+            real value = triangle(&p[j], &p[i], &side, delta, 2 * a->error, &error);
+            error += (7 + d) * u * real_abs(value);
             add_to_entries(d, b->degree, i, j, q, weight * value, weight * error, m);
         }
     }

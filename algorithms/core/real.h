@@ -1,8 +1,8 @@
 /* The number type of this build: IEEE double, IEEE binary128, or 2,048 bits over MPFR.
  *
  * One text serves all three, so it keeps to the common part of C11 and C++20 (CONTRIBUTING.md, "The number
- * type").  Rounding is to nearest everywhere; |fl(a op b) - (a op b)| <= (REAL_EPSILON / 2) |a op b| for + - * /
- * and real_sqrt, barring underflow. */
+ * type").  Rounding is to nearest everywhere; |fl(a op b) - (a op b)| <= (REAL_EPSILON / 2) |a op b| for + -
+ * * / and real_sqrt, barring underflow. */
 #ifndef FATLINE_REAL_H
 #define FATLINE_REAL_H
 

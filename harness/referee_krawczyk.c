@@ -11,7 +11,7 @@
  * Growth in all at most 2.7 * 7 < 19.  Errors: inputs 2 U * 19; stages 2 n * 3.01 U * 19; the parameter of
  * the second pass errs by at most 3.2 U, which moves coefficients by at most n * 2 * 19 * 3.2 U.  Together
  * less than 300 n U; quad_restrict_error says 512 n U. */
-#include "krawczyk.h"
+#include "referee_krawczyk.h"
 
 #include <quadmath.h>
 
@@ -215,7 +215,7 @@ static void set_tangent(bool rational, const struct jet part[3], double tangent[
     }
 }
 
-/* The bound of krawczyk.h at r->at, h being the system there. */
+/* The bound of referee_krawczyk.h at r->at, h being the system there. */
 static void bound_distance(const struct system *h, struct quad_root *r)
 {
     quad most = 0;

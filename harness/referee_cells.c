@@ -1,6 +1,6 @@
 /* u = 2^-53 below; every bound is stated with u and computed with 2 u or more, which pays for its own
  * rounding. */
-#include "anchored.h"
+#include "referee_cells.h"
 
 #include <math.h>
 
@@ -22,8 +22,7 @@ static double smallest(int n, const double *a)
     return m;
 }
 
-/* ---- cutting
- * ------------------------------------------------------------------------------------------------- */
+/* ---- cutting ------------------------------------------------------------------------------------------ */
 
 /* |anchor|, |x|, |y|, w <= 1, so x - anchor w errs by two restriction errors and 3 roundings in binary128,
  * and by u of its size in double. */
@@ -68,8 +67,7 @@ bool anchored_cut(const struct quad_pair *p, struct anchored_cell *c)
     return cut_part(&p->g, p->rational, anchor, g, &c->g) && cut_f;
 }
 
-/* ---- halving
- * ------------------------------------------------------------------------------------------------- */
+/* ---- halving ------------------------------------------------------------------------------------------ */
 
 /* Each of the n stages errs by u of its result, absolutely for x and y, relatively for w > 0. */
 static void halve_part(int n, bool rational, struct anchored_part *a, struct anchored_part *b)
@@ -105,8 +103,7 @@ void anchored_halve(const struct quad_pair *p, struct anchored_cell *c, bool f, 
     halve_part(n, p->rational, a, f ? &second->f : &second->g);
 }
 
-/* ---- looking
- * ------------------------------------------------------------------------------------------------- */
+/* ---- looking ------------------------------------------------------------------------------------------ */
 
 /* Euclidean control points, each coordinate within error of the exact one. */
 struct polygon {

@@ -3,10 +3,10 @@
  * The curves are given by homogeneous Bernstein coefficients of magnitude at most 1, each within 2 U of the
  * exact one, on [0, 1]; the zeros looked for are those of H(t, s) = (f_x w_g - g_x w_f, f_y w_g - g_y w_f)
  * (f_x - g_x, f_y - g_y for polynomial pairs), which on [0, 1]^2, where weights are positive, are the
- * solutions of f(t) = g(s). Rounding is accounted for by the bounds of krawczyk.c; no directed rounding is
- * used. */
-#ifndef FATLINE_KRAWCZYK_H
-#define FATLINE_KRAWCZYK_H
+ * solutions of f(t) = g(s). Rounding is accounted for by the bounds of referee_krawczyk.c; no directed
+ * rounding is used. */
+#ifndef FATLINE_REFEREE_KRAWCZYK_H
+#define FATLINE_REFEREE_KRAWCZYK_H
 
 #include <stdbool.h>
 

@@ -4,10 +4,10 @@
  * A cell cut from the binary128 coefficients is accurate to about 2^-52 of its own size; halving keeps the
  * bound up; when it has grown too large for the size of the cell, the cell is cut again, with a new anchor.
  */
-#ifndef FATLINE_ANCHORED_H
-#define FATLINE_ANCHORED_H
+#ifndef FATLINE_REFEREE_CELLS_H
+#define FATLINE_REFEREE_CELLS_H
 
-#include "krawczyk.h"
+#include "referee_krawczyk.h"
 
 /* One curve over [lo, lo + width], dyadic: homogeneous coefficients of the curve less the anchor.
  * error: of x and y, absolute; weight_error: of w, relative. */
