@@ -18,6 +18,8 @@ INTERSECTOR(pair_clipping_1)
 INTERSECTOR(pair_clipping_2)
 INTERSECTOR(pair_clipping_3)
 INTERSECTOR(implicitization)
+INTERSECTOR(implicitization_quadratic)
+INTERSECTOR(implicitization_cubic)
 #if !defined(FATLINE_QUAD) && !defined(FATLINE_MULTI)
 INTERSECTOR(resultant_eigen)
 #endif

@@ -18,6 +18,7 @@ static const struct command {
     {"check", "compare answers with the truth", false},
     {"time", "measure how long algorithms take", false},
     {"repeat", "solve cases many times over, for profilers", false},
+    {"roots", "measure the root finders of one variable", false},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
