@@ -189,7 +189,7 @@ static void follow(void *log, real lo, real hi)
 
 /* The last ratio (L3 - L2) / (L2 - L1) with L3 three quarters of the way to where rounding ends; 0: there is
  * none. */
-static double order_of(const struct root_finder *f, enum planted_kind kind, int n)
+static double order_of(const struct root_finder *f, enum planted_kind kind, int n, int *clips)
 {
     static real scratch[SCRATCH];
     static struct trail trail;
@@ -205,6 +205,7 @@ static double order_of(const struct root_finder *f, enum planted_kind kind, int 
         if (w[2] >= floor && w[0] <= -3)
             order = (w[2] - w[1]) / (w[1] - w[0]);
     }
+    *clips = trail.count;
     *clips = trail.count;
     return order;
 }

@@ -8,10 +8,11 @@ enum {
     REDUCED_TO_MAX = 3
 };
 
+/* Also for all lower degrees, which may be reduced where n is too high. */
 size_t roots_scratch(int n)
 {
-    return 3 * ((size_t)n + 1) + 2 * STACK_MAX +
-           (n <= ZEROS_DEGREE_MAX ? reduction_length(n, REDUCED_TO_MAX) : 0);
+    int reduced = n < ZEROS_DEGREE_MAX ? n : ZEROS_DEGREE_MAX;
+    return 3 * ((size_t)n + 1) + 2 * STACK_MAX + reduction_length(reduced, REDUCED_TO_MAX);
 }
 
 /* Left end, times n, of {hull of (i, sign c[i] - error) is not above 0}, if sign c[0] > error; else 0.  It
