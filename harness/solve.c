@@ -207,7 +207,7 @@ static int open_all(struct solver *s, const struct solve_options *o)
     const char *error =
         o->external ? external_start(&s->external, o->external, o->timeout, o->tolerance) : NULL;
     if (error)
-        fprintf(stderr, "%s\n", error);
+        fprintf(stderr, "fatline solve: %s\n", error);
     return error ? FAILED : OK;
 }
 
