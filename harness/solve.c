@@ -155,6 +155,8 @@ static int solve_file(struct solver *s, const char *path)
         return FAILED;
     }
     int result = solve_stream(s, stream, path);
+    if (ferror(stream))
+        result = FAILED;
     fclose(stream);
     return result;
 }
