@@ -100,7 +100,7 @@ static real cell_error(const struct curve *c, real scale)
 
 /* ---- order ---- */
 
-/* A total order of scaled curves: < 0, 0, > 0. */
+/* A total order of curves that no positive scaling of the coordinates changes: < 0, 0, > 0. */
 static int curve_compare(const struct curve *a, const struct curve *b)
 {
     if (a->degree != b->degree) {
@@ -170,6 +170,12 @@ static void translate_back(const struct problem *p, bool swapped, real factor, s
     crossings_sort(out);
 }
 
+static void scale_both(const struct problem *p, int e, bool swapped, struct workspace *w, struct problem *q)
+{
+    const struct curve *first = swapped ? &p->g : &p->f, *second = swapped ? &p->f : &p->g;
+    curve_scale(second, e, curve_scale(first, e, w->prepared, &q->f), &q->g);
+}
+
 enum outcome problem_solve(const struct problem *p, const struct intersector *a, struct workspace *w,
                            struct crossings *out)
 {
@@ -185,10 +191,11 @@ enum outcome problem_solve(const struct problem *p, const struct intersector *a,
     const real factor = real_ldexp(1, e);
     const struct interval whole = {0, 1};
     struct problem q = *p;
-    curve_scale(&p->g, e, curve_scale(&p->f, e, w->prepared, &q.f), &q.g);
-    const bool swapped = curve_compare(&q.f, &q.g) > 0;
-    if (swapped) {
-        curve_scale(&p->f, e, curve_scale(&p->g, e, w->prepared, &q.f), &q.g);
+    bool swapped = curve_compare(&p->f, &p->g) > 0;
+    scale_both(p, e, swapped, w, &q);
+    if (p->f.w && p->g.w && curve_compare(&q.f, &q.g) > 0) { /* the scaled weights decide */
+        swapped = !swapped;
+        scale_both(p, e, swapped, w, &q);
     }
     const struct interval first = q.f.domain, second = q.g.domain;
     q.f.domain = q.g.domain = whole;
