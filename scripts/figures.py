@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Draws results/figures/: clip.svg, how one clip works, and time.svg, made from results/raw/."""
 
+import argparse
 import sys
 from math import comb
 
@@ -145,6 +146,7 @@ def save(figure, name):
 
 
 if __name__ == "__main__":
+    argparse.ArgumentParser(description=__doc__).parse_args()
     plt.rcParams.update({"svg.hashsalt": "fatline", "svg.fonttype": "path", "font.size": 10,
                          "mathtext.fontset": "cm"})
     draw_clip()
