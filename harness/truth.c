@@ -213,7 +213,7 @@ static void solve_file(struct run *r, const char *path)
     }
     solve_stream(r, stream, stream == stdin ? "stdin" : path);
     if (ferror(stream))
-        spoil(r, FAILED);
+        r->worst = FAILED;
     if (stream != stdin)
         fclose(stream);
 }
