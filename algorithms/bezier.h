@@ -28,10 +28,11 @@ struct curve {
 };
 
 /* Made once for each problem by problem_solve; algorithms read them.  Both curves are then scaled by one
- * power of two so that 1 <= scale < 2. scale:  max |coordinate| of the Euclidean control points of both
- * curves (0 if all are the origin). f, g:   every control point that a cell carries for f (for g) differs
- * from the exact one over the cell's interval by at most f (g) in each Euclidean coordinate; see
- * core/cells.h. tolerance_t, tolerance_s: widths asked for in local parameters, in [0, 1]. */
+ * power of two so that 1 <= scale < 2, and the weights of each so that the largest is in [1, 2). scale:  max
+ * |coordinate| of the Euclidean control points of both curves (0 if all are the origin). f, g:   every
+ * control point that a cell carries for f (for g) differs from the exact one over the cell's interval by at
+ * most f (g) in each Euclidean coordinate; see core/cells.h. tolerance_t, tolerance_s: widths asked for in
+ * local parameters, in [0, 1]. */
 struct bounds {
     real scale, f, g;
     real tolerance_t, tolerance_s;
@@ -79,7 +80,8 @@ struct crossings {
 /* SOLVED: every record is as narrow as asked, or carries its own proof.
  * OUT_OF_STEPS, OUT_OF_ROOM: stopped early; what is undecided is among the records, wider than asked.
  * UNSUPPORTED: this algorithm does not take this problem (in this precision); no records.
- * INVALID: the problem is not one (degree, weights, tolerance, a value that is not finite); no records. */
+ * INVALID: the problem is not one (degree, weights that are not positive or differ by more than 2^256,
+ * tolerance, a value that is not finite); no records. */
 enum outcome { SOLVED, OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED, INVALID };
 
 /* Two pieces that may still meet: f over t, g over s (local parameters, in [0, 1]).  Their homogeneous

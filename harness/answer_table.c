@@ -7,6 +7,9 @@
 #include "../algorithms/core/bernstein.h"
 #include "number.h"
 
+/* More records than ROWS_MAX are for programs: they are written as JSON. */
+enum { ROWS_MAX = 40 };
+
 enum { DIGITS_MAX = REAL_BITS <= 53 ? 16 : REAL_BITS <= 113 ? 34 : 60, TEXT = 80 };
 
 /* Decimal with `digits` significant digits. */
@@ -80,15 +83,18 @@ void answer_table_write(FILE *stream, const struct answer *a, const struct probl
     char tolerance[TEXT];
     int width = 8;
     decimal_text(a->tolerance, 3, tolerance);
-    for (int i = 0; i < out->count; i++)
+    const int shown = out->count < ROWS_MAX ? out->count : ROWS_MAX;
+    for (int i = 0; i < shown; i++)
         width = digits_told(&out->at[i]) + 8 > width ? digits_told(&out->at[i]) + 8 : width;
     fprintf(stream, "%s: %s, %s, tolerance %s: %s after %ld step%s%s%s\n", a->id, a->algorithm, REAL_NAME,
             tolerance, outcome_name(a->outcome), a->steps, a->steps == 1 ? "" : "s", message ? ": " : "",
             message ? message : "");
     if (out->count > 0)
         fprintf(stream, "  %-*s %-*s point\n", width, "t (on f)", width, "s (on g)");
-    for (int i = 0; i < out->count; i++)
+    for (int i = 0; i < shown; i++)
         write_crossing(stream, &out->at[i], &p->f, width);
+    if (shown < out->count)
+        fprintf(stream, "  and %d more\n", out->count - shown);
     for (int i = 0; i < out->overlaps; i++)
         write_overlap(stream, &out->overlap[i]);
     if (a->outcome == SOLVED && out->count + out->overlaps == 0)

@@ -212,6 +212,8 @@ static void solve_file(struct run *r, const char *path)
         return;
     }
     solve_stream(r, stream, stream == stdin ? "stdin" : path);
+    if (ferror(stream))
+        r->worst = FAILED;
     if (stream != stdin)
         fclose(stream);
 }
@@ -259,7 +261,9 @@ int main(int argc, char **argv)
     if (a.timing)
         write_timing(&r, argc, argv);
     flint_cleanup();
-    if (fflush(stdout) || ferror(stdout))
+    if (fflush(stdout) || ferror(stdout)) {
+        fprintf(stderr, "fatline truth: standard output cannot be written\n");
         spoil(&r, FAILED);
+    }
     return interrupted ? INTERRUPTED : r.worst;
 }

@@ -175,12 +175,14 @@ def counts_matrix(main, precision):
 
 
 def short(wide):
-    """Of each family the one row that terminals get: cubics, or the first."""
-    rows = [group[group.degrees == "3x3"] if (group.degrees == "3x3").any() else group.head(1)
+    """Of each family the rows that terminals and figures get: cubics, or the first degrees."""
+    rows = [group[group.degrees == ("3x3" if (group.degrees == "3x3").any() else group.degrees.iloc[0])]
             for _, group in wide.groupby("family", sort=False)]
     return pd.concat(rows)
 
 
+COUNTS_TITLE = "Pairs right / solutions missed / extra"
+COUNTS_LEGEND = "Pairs that are not right without a miss or an extra stopped early, merged, or were not taken"
 MATRIX_LEGEND = (
     "median time of a pair in microseconds. *: some pairs stopped early, merged or not taken, which are not timed; "
     "N miss: N solutions missed; N extra: N claimed where there is none; N not: N pairs not right and none timed; "
@@ -263,7 +265,8 @@ def print_summary(main):
         counts, legend = numbered(counts_matrix(main, precision))
         print(f"\n{precision}, all families together: pairs and their verdicts; solutions\n")
         print(aligned(shown(rows[columns])))
-        print(f"\n{precision}, by family: pairs right / solutions missed / extra\n{legend}\n\n{aligned(shown(counts))}")
+        about = fold(f"{precision}, by family: {COUNTS_TITLE.lower()}. {COUNTS_LEGEND}.")
+        print(f"\n{about}\n{legend}\n\n{aligned(shown(counts))}")
         if is_timed(main, precision):
             table, _ = numbered(short(matrix(main, precision)))
             about = fold(f"{precision}, by family, cubics where there are: {MATRIX_LEGEND}")
@@ -289,8 +292,7 @@ def make(quiet=False):
     write(main, "families", "Every algorithm on every family", f"{raw} and `results/raw/time-*`")
     write(summed(main, ["precision", "algorithm"]), "algorithms", "Every algorithm, all families together", raw)
     for precision in dict.fromkeys(main.precision):
-        title = f"Pairs right / solutions missed / extra, {precision}"
-        write(counts_matrix(main, precision), f"counts-{precision}", title, raw)
+        write(counts_matrix(main, precision), f"counts-{precision}", f"{COUNTS_TITLE}, {precision}", raw, COUNTS_LEGEND)
         if is_timed(main, precision):
             write(matrix(main, precision), f"times-{precision}", f"Time by family and algorithm, {precision}",
                   "`families.csv`", MATRIX_LEGEND)

@@ -15,8 +15,8 @@
 
 #include "real.h"
 
-/* Euclidean control points with weights (exact, > 0; NULL: all 1).  What is meant is any curve within `error`
- * of this one in each coordinate, as control points or as points. */
+/* Euclidean control points with weights (exact, in (0, 2]; NULL: all 1).  What is meant is any curve within
+ * `error` of this one in each coordinate, as control points or as points. */
 struct polygon {
     int degree;
     const real *x, *y, *w;
