@@ -14,6 +14,7 @@
  * regular there (contact of order mu) or not (cusp): the gap is the composition of the local equation of b's
  * branch with a, which is how the multiplicity is defined.  So what is kept satisfies c |t - t0|^mu <= C
  * h^(k+1), c > 0: the next length is O(h^((k+1)/mu)).
+ * Where k + 1 <= mu, halving sets the pace.
  *
  * Relatives.  Fat arcs: bounds of third order on both curves (Sederberg, White, Zundel, Fat arcs, 1989). Best
  * approximation and inversion of a band in one variable (Barton, Juttler, Computing roots of polynomials by
