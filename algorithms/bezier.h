@@ -141,7 +141,7 @@ const struct intersector *intersector_find(const char *name); /* in either table
 
 /* Bytes for curves of degree <= n, <= m, `room` waiting cells and `scratch` numbers. */
 size_t workspace_size(int n, int m, int room, size_t scratch);
-/* Lays w out in `memory` (aligned as malloc aligns, at least workspace_size bytes). */
+/* Lays w out in `memory` (aligned as malloc aligns, at least workspace_size bytes); room >= 1. */
 void workspace_init(struct workspace *w, void *memory, int n, int m, int room, size_t scratch);
 
 /* Solves p by a: validates, scales by a power of two, puts the two curves in a canonical order (so that
