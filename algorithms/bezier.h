@@ -28,14 +28,12 @@ struct curve {
 };
 
 /* Made once for each problem by problem_solve; algorithms read them.  Both curves are then scaled by one
- * power of two so that 1 <= scale < 2, and the weights of each so that the largest is in [1, 2). scale:  max
- * |coordinate| of the Euclidean control points of both curves (0 if all are the origin). f, g:   every
- * control point that a cell carries for f (for g) differs from the exact one over the cell's interval by at
- * most f (g) in each Euclidean coordinate; see core/cells.h. tolerance_t, tolerance_s: widths asked for in
- * local parameters, in [0, 1]. */
+ * power of two so that 1 <= scale < 2. */
 struct bounds {
-    real scale, f, g;
-    real tolerance_t, tolerance_s;
+    real scale; /* max |coordinate| of the Euclidean control points of both curves; 0 if all are the origin */
+    real f, g;  /* every control point that a cell carries for f (for g) differs from the exact one over the
+                   cell's interval by at most this in each Euclidean coordinate: see core/cells.h */
+    real tolerance_t, tolerance_s; /* widths asked for in local parameters, 4 REAL_EPSILON to 1/16 */
 };
 
 struct crossings;
