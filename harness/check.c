@@ -187,6 +187,10 @@ int main(int argc, char **argv)
 
     if (!options.rows)
         check_table_write(&table, stdout);
+    if (status == OK && !table.count && !interrupted)
+        fprintf(
+            stderr,
+            "fatline check: no case was checked: there is none in the files, or none that was asked for\n");
     if (check_table_unjudged(&table))
         fprintf(stderr, "fatline check: %ld answers unjudged for want of a truth (--truth computes it)\n",
                 check_table_unjudged(&table));
