@@ -252,7 +252,8 @@ def numbered(table):
     """The matrix with the algorithms' numbers as heads, so that it fits a terminal, and what they stand for."""
     names = [c for c in table.columns if c not in ("family", "degrees", "pairs")]
     heads = {name: f"[{i}]" for i, name in enumerate(names, 1)}
-    return table.rename(columns=heads), fold("  ".join(f"{heads[name]}\u00a0{name}" for name in names)).replace("\u00a0", " ")
+    legend = fold("  ".join(f"{heads[name]}\u00a0{name}" for name in names))
+    return table.rename(columns=heads), legend.replace("\u00a0", " ")
 
 
 def is_timed(main, precision):
