@@ -75,7 +75,8 @@ struct crossings {
     struct overlap overlap[OVERLAPS_MAX];
 };
 
-/* SOLVED: every record is as narrow as asked, or carries its own proof.
+/* SOLVED: every record is as narrow as asked and the precision allows (struct bounds), or carries its own
+ * proof.
  * OUT_OF_STEPS, OUT_OF_ROOM: stopped early; what is undecided is among the records, wider than asked.
  * UNSUPPORTED: this algorithm does not take this problem (in this precision); no records.
  * INVALID: the problem is not one (degree, weights that are not positive or differ by more than 2^256,
