@@ -170,6 +170,13 @@ static void translate_back(const struct problem *p, bool swapped, real factor, s
     crossings_sort(out);
 }
 
+/* In [0, 1]: not below the rounding of a parameter, and not so wide that a record would say nothing. */
+static real local_tolerance(real tolerance, const struct interval *domain)
+{
+    const real narrowest = 4 * REAL_EPSILON, widest = (real)1 / 16;
+    return real_min(widest, real_max(narrowest, tolerance / (domain->hi - domain->lo)));
+}
+
 static void scale_both(const struct problem *p, int e, bool swapped, struct workspace *w, struct problem *q)
 {
     const struct curve *first = swapped ? &p->g : &p->f, *second = swapped ? &p->f : &p->g;
@@ -202,9 +209,8 @@ enum outcome problem_solve(const struct problem *p, const struct intersector *a,
     q.bounds.scale = extent * factor;
     q.bounds.f = cell_error(&q.f, q.bounds.scale);
     q.bounds.g = cell_error(&q.g, q.bounds.scale);
-    const real narrowest = 4 * REAL_EPSILON;
-    q.bounds.tolerance_t = real_max(narrowest, p->tolerance / (first.hi - first.lo));
-    q.bounds.tolerance_s = real_max(narrowest, p->tolerance / (second.hi - second.lo));
+    q.bounds.tolerance_t = local_tolerance(p->tolerance, &first);
+    q.bounds.tolerance_s = local_tolerance(p->tolerance, &second);
     w->planned = w->plan == a && w->plan_n == q.f.degree && w->plan_m == q.g.degree;
     w->plan = a;
     w->plan_n = q.f.degree;

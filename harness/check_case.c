@@ -159,7 +159,8 @@ json_t *checker_run(struct checker *k, struct test_case *c)
 
     find_truth(k->options, c, reply);
     double tol = case_tolerance(c, k->options->tolerance);
-    const char *why_not = owned_problem_make(c, (real)tol, k->options->max_steps, &owned);
+    double asked = REAL_BITS == 53 ? tol : k->options->tolerance;
+    const char *why_not = owned_problem_make(c, (real)asked, k->options->max_steps, &owned);
     if (why_not) {
         note(reply, "%s:%d: %s", c->file, c->line_number, why_not);
         json_object_set_new(reply, "bad", json_true());

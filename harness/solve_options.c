@@ -54,8 +54,7 @@ static int read_count(struct argp_state *state, const char *name, const char *te
     char *end;
     long n = strtol(text, &end, 10);
     if (end == text || *end || n < 1 || n > INT_MAX)
-        argp_error(state, "%s: \"%s\" is no number of things, expected an integer from 1 to %d", name, text,
-                   INT_MAX);
+        argp_error(state, "%s: \"%s\", expected an integer from 1 to %d", name, text, INT_MAX);
     return (int)n;
 }
 

@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include <flint/flint.h>
 
 #include "exact.h"
@@ -250,7 +251,8 @@ int main(int argc, char **argv)
     argp_parse(&argp, argc, argv, 0, 0, &a);
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
-    progress_set_quiet(a.quiet);
+    const bool shows_lines = !a.compare && !a.timing && isatty(STDOUT_FILENO);
+    progress_set_quiet(a.quiet || shows_lines);
     progress_begin("truth", 0);
     for (int i = 0; i < a.file_count && !interrupted; i++)
         if (r.worst < BAD_DATA || a.keep_going)

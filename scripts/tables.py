@@ -19,6 +19,7 @@ VERDICTS = {"RIGHT": "right", "WRONG": "wrong", "STOPPED": "stopped", "NOT_TAKEN
 COUNTS = ["missed", "extra", "duplicate", "merged", "undecided"]
 SUMS = ["pairs", *VERDICTS.values(), "expected", "found", *COUNTS]
 KEY = ["family", "degrees", "algorithm", "precision"]
+TEXTS = [*KEY, "judge"]  # columns to the left
 PRECISIONS = ["double", "quad", "multi"]
 
 
@@ -213,14 +214,14 @@ def markdown(table, title, note):
     head = [str(c) for c in table.columns]
     lines = [f"# {title}", "", note, "",
              "| " + " | ".join(head) + " |",
-             "|" + "|".join(" --- " if c in KEY else " ---: " for c in head) + "|"]
+             "|" + "|".join(" --- " if c in TEXTS else " ---: " for c in head) + "|"]
     lines += ["| " + " | ".join(map(str, row)) + " |" for row in table.values.tolist()]
     return "\n".join(lines) + "\n"
 
 
 def latex(table, caption):
     styler = table.rename(columns=lambda c: str(c).replace("_", r"\_")).replace("_", r"\_", regex=True).style
-    form = "".join("l" if c in KEY else "r" for c in table.columns)
+    form = "".join("l" if c in TEXTS else "r" for c in table.columns)
     return styler.hide(axis="index").to_latex(hrules=True, column_format=form, caption=caption)
 
 
@@ -238,7 +239,7 @@ def aligned(table):
     """The table as lines of text for a terminal."""
     rows = [[str(c) for c in table.columns], *table.values.tolist()]
     widths = [max(len(str(row[i])) for row in rows) for i in range(len(rows[0]))]
-    names = [i for i, c in enumerate(table.columns) if c in KEY]
+    names = [i for i, c in enumerate(table.columns) if c in TEXTS]
     return "\n".join("  ".join(str(v).ljust(w) if i in names else str(v).rjust(w)
                                for i, (v, w) in enumerate(zip(row, widths))).rstrip() for row in rows)
 
@@ -251,7 +252,8 @@ def numbered(table):
     """The matrix with the algorithms' numbers as heads, so that it fits a terminal, and what they stand for."""
     names = [c for c in table.columns if c not in ("family", "degrees", "pairs")]
     heads = {name: f"[{i}]" for i, name in enumerate(names, 1)}
-    return table.rename(columns=heads), fold("  ".join(f"{heads[name]} {name}" for name in names))
+    legend = fold("  ".join(f"{heads[name]}\u00a0{name}" for name in names))
+    return table.rename(columns=heads), legend.replace("\u00a0", " ")
 
 
 def is_timed(main, precision):
