@@ -160,7 +160,8 @@ enum outcome problem_solve(const struct problem *p, const struct intersector *a,
     }
     real factor = scale_factor(extent);
     struct problem q = *p;
-    bool swapped = curve_compare(&p->f, &p->g) > 0;
+    bool swapped = !p->keep_order && curve_compare(&p->f, &p->g) > 0;
+    w->swapped = swapped;
     const struct curve *first = swapped ? &p->g : &p->f, *second = swapped ? &p->f : &p->g;
     curve_scale(second, factor, curve_scale(first, factor, w->prepared, &q.f), &q.g);
     q.bounds.scale = extent * factor;
