@@ -23,8 +23,8 @@ PRECISIONS = double quad multi
 
 COMMON_MODULES = case case_fields case_expected number random row exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter exact_answer json_text truth_compare referee referee_truth referee_place referee_pair referee_krawczyk referee_cells $(COMMON_EXTRA)
 REAL_MODULES   = real_text problem answer judge judge_groups judge_curves judge_overlaps check_options check_case check_table check_worker algorithms_named external solve_options answer_table clock case_set timing timing_rows time_options \
-                 measuring path order_measure
-COMMON_EXTRA   = progress statistics regression order_estimate known_solutions close_up
+                 measuring path order_measure lemma_reduction lemma_cut
+COMMON_EXTRA   = progress statistics regression order_estimate known_solutions close_up cost_law
 
 ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c)
 ALGORITHMS_double := $(ALGORITHMS) $(wildcard algorithms/peers/*.c)
@@ -35,7 +35,7 @@ ALGORITHMS_multi := $(ALGORITHMS)
 PROGRAMS_REAL = list solve check time repeat
 PROGRAMS_ONCE = generate truth
 # These watch the algorithms at work.
-PROGRAMS_WATCHED = order
+PROGRAMS_WATCHED = trace order cost lemma
 GENERATE_MODULES = draft draft_facts draft_contact family family_parts family_local family_write family_random \
                    family_crossing family_scale family_many family_contact family_degenerate family_overlap \
                    family_circle outline glyphs
