@@ -1,6 +1,7 @@
 #include "close_up.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "case_fields.h"
@@ -38,28 +39,70 @@ void curve_point_exact(const struct case_curve *c, const mpq_t t, mpq_t out[3])
     rationals_free(b, c->degree + 2);
 }
 
-/* Coefficients over [lo, hi] in place.  The first ones of [0, hi] come from de Casteljau at hi, those of [lo,
- * hi] from one at lo / hi of its own, whose last coefficients are kept; by symmetry hi = 0 only if the box is
- * the point 0. */
+/* Applies a step of de Casteljau's algorithm at u / q to `count` + 1 integers, without the division by q. */
+static void blend_integers(int count, mpz_t *v, const mpz_t u, const mpz_t q, mpz_t scratch)
+{
+    for (int i = 0; i < count; i++) { /* q v[i] + u (v[i + 1] - v[i]) */
+        mpz_sub(scratch, v[i + 1], v[i]);
+        mpz_mul(v[i], v[i], q);
+        mpz_addmul(v[i], scratch, u);
+    }
+}
+
+/* Numerators of b over their common denominator, and of lo and hi over theirs. */
+struct integers {
+    mpz_t lo, hi, q, denominator, scratch, *at, *part; /* n + 1 in each array */
+};
+
+static void integers_make(int n, mpq_t *b, const mpq_t lo, const mpq_t hi, struct integers *z)
+{
+    mpz_inits(z->lo, z->hi, z->q, z->denominator, z->scratch, NULL);
+    z->at = memory_new((size_t)n + 1, sizeof *z->at);
+    z->part = memory_new((size_t)n + 1, sizeof *z->part);
+    mpz_set_si(z->denominator, 1);
+    for (int i = 0; i <= n; i++)
+        mpz_lcm(z->denominator, z->denominator, mpq_denref(b[i]));
+    for (int i = 0; i <= n; i++) {
+        mpz_inits(z->at[i], z->part[i], NULL);
+        mpz_divexact(z->at[i], z->denominator, mpq_denref(b[i]));
+        mpz_mul(z->at[i], z->at[i], mpq_numref(b[i]));
+    }
+    mpz_lcm(z->q, mpq_denref(lo), mpq_denref(hi));
+    mpz_divexact(z->lo, z->q, mpq_denref(lo));
+    mpz_mul(z->lo, z->lo, mpq_numref(lo));
+    mpz_divexact(z->hi, z->q, mpq_denref(hi));
+    mpz_mul(z->hi, z->hi, mpq_numref(hi));
+}
+
+static void integers_clear(int n, struct integers *z)
+{
+    for (int i = 0; i <= n; i++)
+        mpz_clears(z->at[i], z->part[i], NULL);
+    free(z->at);
+    free(z->part);
+    mpz_clears(z->lo, z->hi, z->q, z->denominator, z->scratch, NULL);
+}
+
+/* Coefficients over [lo, hi] in place: number i is the blossom at (lo^(n - i), hi^i).  In integers, for the
+ * fractions of intermediate results would be reduced at every step. */
 static void restrict_component(int n, mpq_t *b, const mpq_t lo, const mpq_t hi)
 {
-    mpq_t part, scratch;
-    mpq_init(part);
-    mpq_init(scratch);
-    for (int r = 1; r <= n; r++)
-        for (int i = n; i >= r; i--) { /* b[i] becomes the blossom (hi^r) of b[i - r..i] */
-            mpq_sub(scratch, b[i], b[i - 1]);
-            mpq_mul(scratch, scratch, hi);
-            mpq_add(b[i], b[i - 1], scratch);
-        }
-    if (mpq_sgn(hi) != 0) {
-        mpq_div(part, lo, hi);
-        for (int r = n; r > 0; r--)
-            for (int i = 0; i < r; i++)
-                blend(b[i], b[i + 1], part, scratch);
+    struct integers z;
+    integers_make(n, b, lo, hi, &z);
+    mpz_pow_ui(z.scratch, z.q, (unsigned long)n);
+    mpz_mul(z.denominator, z.denominator, z.scratch);
+    for (int i = n; i >= 0; i--) {
+        for (int k = 0; k <= i; k++)
+            mpz_set(z.part[k], z.at[k]);
+        for (int r = i; r > 0; r--)
+            blend_integers(r, z.part, z.hi, z.q, z.scratch);
+        mpz_set(mpq_numref(b[i]), z.part[0]);
+        mpz_set(mpq_denref(b[i]), z.denominator);
+        mpq_canonicalize(b[i]);
+        blend_integers(i, z.at, z.lo, z.q,
+                       z.scratch); /* at: n - i + 1 steps at lo so far, i coefficients are left */
     }
-    mpq_clear(part);
-    mpq_clear(scratch);
+    integers_clear(n, &z);
 }
 
 void curve_restrict(const struct case_curve *c, const mpq_t lo, const mpq_t hi, mpq_t origin[2],
@@ -161,7 +204,7 @@ void close_up_solution(const struct known_solution *z, double bits_x, double bit
     locate(exchanged ? z->t : z->s, bits_y, PART_G, out->s);
     out->bits = z->bits - fmax(bits_x, bits_y) - 1;
     out->multiplicity = z->multiplicity;
-    out->alone = out->sine_bits = 0;
+    out->alone = out->extent = out->sine_bits = 0;
 }
 
 /* log2 |q|; -infinite for 0. */

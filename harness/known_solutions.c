@@ -93,6 +93,7 @@ static double alone_bits(const struct known_solutions *k, int i)
 /* Copies c->expected; digits: of what is not exact. */
 static void take(const struct test_case *c, int digits, struct known_solutions *k)
 {
+    struct test_case whole;
     k->count = c->expected.count;
     k->at = memory_new((size_t)k->count + 1, sizeof *k->at);
     for (int i = 0; i < k->count; i++) {
@@ -104,6 +105,9 @@ static void take(const struct test_case *c, int digits, struct known_solutions *
         to->bits = from->exact ? INFINITY : digits * log2(10) - 1; /* of at most 1: significant digits */
         to->multiplicity = from->multiplicity;
         to->sine_bits = sine_bits(c, to);
+        close_up_make(c, to, 0, 0, false, &whole);
+        to->extent = extent_bits(&whole);
+        close_up_clear(&whole);
     }
     for (int i = 0; i < k->count; i++)
         k->at[i].alone = alone_bits(k, i);

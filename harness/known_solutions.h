@@ -16,6 +16,7 @@ struct known_solution {
     double bits;
     int multiplicity;
     double alone;     /* a box 2^-alone wide around it holds no other of these solutions */
+    double extent;    /* close_up.h: extent_bits of the pair, moved so that it is the origin */
     double sine_bits; /* -log2 of the sine of the angle of the tangents; 0 where a derivative vanishes or at
                          contacts */
 };

@@ -89,15 +89,17 @@ static json_t *number_or_null(double a)
     return isfinite(a) ? json_real(a) : json_null();
 }
 
-static void write_row(const struct test_case *c, int solution, const struct intersector *a,
+static void write_row(const struct test_case *c, int solution, int multiplicity, const struct intersector *a,
                       const char *protocol, const struct order_estimate *e)
 {
-    row_write(stdout,
-              json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:i, s:o}", "id", c->id, "solution",
-                        solution, "algorithm", a->name, "precision", REAL_NAME, "protocol", protocol, "law",
-                        law_name(e->law), "per_round", number_or_null(e->per_round), "lo",
-                        number_or_null(e->lo), "hi", number_or_null(e->hi), "points", e->points,
-                        "bits_per_round", number_or_null(e->bits_per_round)));
+    row_write(stdout, json_pack("{s:s, s:i, s:o, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:i, s:o, s:o}", "id",
+                                c->id, "solution", solution, "multiplicity",
+                                multiplicity > 0 ? json_integer(multiplicity) : json_null(), "algorithm",
+                                a->name, "precision", REAL_NAME, "protocol", protocol, "law",
+                                law_name(e->law), "per_round", number_or_null(e->per_round), "lo",
+                                number_or_null(e->lo), "hi", number_or_null(e->hi), "points", e->points,
+                                "clips", e->clips > 0 ? json_integer(e->clips) : json_null(),
+                                "bits_per_round", number_or_null(e->bits_per_round)));
 }
 
 static void write_line(const struct test_case *c, int solution, const struct intersector *a,
@@ -124,11 +126,11 @@ static void write_line(const struct test_case *c, int solution, const struct int
         printf(" %10s\n", "-");
 }
 
-static void report(const struct command *o, const struct test_case *c, int solution,
+static void report(const struct command *o, const struct test_case *c, int solution, int multiplicity,
                    const struct intersector *a, const char *protocol, const struct order_estimate *e)
 {
     if (o->measuring.rows)
-        write_row(c, solution, a, protocol, e);
+        write_row(c, solution, multiplicity, a, protocol, e);
     else
         write_line(c, solution, a, protocol, e);
     fflush(stdout);
@@ -142,11 +144,11 @@ static void measure_solution(struct command *o, const struct test_case *c, const
         const struct intersector *a = o->measuring.algorithms.at[i];
         if (o->rounds) {
             struct order_estimate e = order_by_rounds(&o->bench, p, a, z, o->bits);
-            report(o, c, solution, a, "rounds", &e);
+            report(o, c, solution, z->multiplicity, a, "rounds", &e);
         }
         if (o->boxes) {
             struct order_estimate e = order_by_boxes(&o->bench, c, a, z);
-            report(o, c, solution, a, "boxes", &e);
+            report(o, c, solution, z->multiplicity, a, "boxes", &e);
         }
     }
 }
@@ -156,7 +158,8 @@ static bool measure(void *data, struct test_case *c)
     struct command *o = (struct command *)data;
     struct known_solutions known;
     struct owned_problem owned;
-    const int digits = (int)(2 * REAL_BITS * 0.30103) + 10; /* a box and what a round leaves of it */
+    /* For boxes, those of a box and of what a round leaves of it. */
+    const int digits = (int)((o->boxes ? 2 * REAL_BITS : o->bits) * 0.30103) + 20;
     const char *why_not = owned_problem_make(c, (real)1 / 1024, 1000000, &owned);
     if (why_not) {
         progress_note("%s:%d: %s", c->file, c->line_number, why_not);

@@ -69,13 +69,11 @@ static bool follow_from(struct order_bench *b, const struct test_case *c, const 
                         double *floor)
 {
     enum { STEPS = 6 };
-    struct test_case near, whole;
+    struct test_case near;
     struct known_solution at;
     struct owned_problem owned;
-    close_up_make(c, z, 0, 0, exchanged, &whole);
     close_up_make(c, z, bits_x, bits_y, exchanged, &near);
-    *floor = floor_at(z, extent_bits(&near) - extent_bits(&whole));
-    close_up_clear(&whole);
+    *floor = floor_at(z, extent_bits(&near) - z->extent);
     close_up_solution(z, bits_x, bits_y, exchanged, &at);
     bool made = !owned_problem_make(&near, real_ldexp(1, 3 - REAL_BITS), STEPS, &owned);
     if (made) {
