@@ -143,7 +143,7 @@ all: $(programs) ## build everything: build/fatline and its programs
 
 tests: $(programs) $(tests_double) $(tests_others) ## build everything and the tests
 
-check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (about 6 minutes)
+check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (4 minutes)
 	$(AFTER_SETUP) tests
 	@$(PYTHON) tests/run --cases $(CASES)
 

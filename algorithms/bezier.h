@@ -28,10 +28,11 @@ struct curve {
 };
 
 /* Made once for each problem by problem_solve; algorithms read them.  Both curves are then scaled by one
- * power of two so that 1 <= scale < 2. scale:  max |coordinate| of the Euclidean control points of both
- * curves (0 if all are the origin). f, g:   every control point that a cell carries for f (for g) differs
- * from the exact one over the cell's interval by at most f (g) in each Euclidean coordinate; see
- * core/cells.h. tolerance_t, tolerance_s: widths asked for in local parameters, in [0, 1]. */
+ * power of two so that 1 <= scale < 2, and the weights of each so that the largest is in [1, 2). scale:  max
+ * |coordinate| of the Euclidean control points of both curves (0 if all are the origin). f, g:   every
+ * control point that a cell carries for f (for g) differs from the exact one over the cell's interval by at
+ * most f (g) in each Euclidean coordinate; see core/cells.h. tolerance_t, tolerance_s: widths asked for in
+ * local parameters, in [0, 1]. */
 struct bounds {
     real scale, f, g;
     real tolerance_t, tolerance_s;
@@ -80,7 +81,8 @@ struct crossings {
 /* SOLVED: every record is as narrow as asked, or carries its own proof.
  * OUT_OF_STEPS, OUT_OF_ROOM: stopped early; what is undecided is among the records, wider than asked.
  * UNSUPPORTED: this algorithm does not take this problem (in this precision); no records.
- * INVALID: the problem is not one (degree, weights, tolerance, a value that is not finite); no records. */
+ * INVALID: the problem is not one (degree, weights that are not positive or differ by more than 2^256,
+ * tolerance, a value that is not finite); no records. */
 enum outcome { SOLVED, OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED, INVALID };
 
 /* Two pieces that may still meet: f over t, g over s (local parameters, in [0, 1]).  Their homogeneous
@@ -105,8 +107,8 @@ struct workspace {
     real *prepared; /* scaled copies of both curves */
     real *scratch;  /* intersector.scratch(n, m) numbers, for algorithms that ask for them */
     size_t scratch_length;
-    /* What scratch holds: true if the last solve was by the same algorithm for the same degrees, so that tables
-     * which depend on nothing else need not be made again. */
+    /* What scratch holds: true if the last solve was by the same algorithm for the same degrees, so that
+     * tables which depend on nothing else need not be made again. */
     bool planned;
     const struct intersector *plan;
     int plan_n, plan_m;
@@ -139,7 +141,7 @@ struct intersector {
  * their exact names only: negative controls for the tests. */
 extern const struct intersector *const intersectors[];
 extern const struct intersector *const controls[];
-extern const struct intersector *const intersector_default; /* for whoever asks for none by name */
+extern const struct intersector *const intersector_default;   /* for whoever asks for none by name */
 const struct intersector *intersector_find(const char *name); /* in either table; NULL if there is none */
 
 /* Bytes for curves of degree <= n, <= m, `room` waiting cells and `scratch` numbers. */

@@ -1,5 +1,6 @@
-/* The registry: one line per algorithm; order here is order in the tables.  What only makes sense in doubles is left
- * out of the other builds.  CONTROL entries are deliberate mistakes, kept to show that the tests find them. */
+/* The registry: one line per algorithm; order here is order in the tables.  What only makes sense in doubles
+ * is left out of the other builds.  CONTROL entries are deliberate mistakes, kept to show that the tests find
+ * them. */
 INTERSECTOR(subdivision)
 INTERSECTOR(subdivision_oriented)
 INTERSECTOR(bezier_clipping)

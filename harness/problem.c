@@ -5,29 +5,46 @@
 #include "problem.h"
 #include "number.h"
 
+/* The nearest real; *fits becomes false if it is none, or too small for a relative error of REAL_EPSILON / 2.
+ */
+static real nearest(const mpq_t q, bool *fits)
+{
+    real a = real_from_rational(q);
+
+    if (!real_is_finite(a)) {
+        *fits = false;
+    } else if (real_abs(a) < REAL_LEAST) {
+        mpq_t back;
+        mpq_init(back);
+        real_to_rational(a, back);
+        *fits = *fits && mpq_equal(back, q);
+        mpq_clear(back);
+    }
+    return a;
+}
+
 /* c into coefficients at `memory`, of which it takes 2 (degree + 1), or 3 (degree + 1) if c is rational.
  * w X is formed exactly and rounded once. */
 static const char *curve_make(const struct case_curve *c, real *memory, struct curve *out)
 {
     int length = c->degree + 1;
     real *x = memory, *y = x + length, *w = y + length;
-    bool finite = true;
+    bool fits = true;
     mpq_t product;
 
     mpq_init(product);
     for (int i = 0; i < length; i++) {
         if (c->rational) {
-            w[i] = real_from_rational(c->w[i]);
+            w[i] = nearest(c->w[i], &fits);
             mpq_mul(product, c->w[i], c->x[i]);
-            x[i] = real_from_rational(product);
+            x[i] = nearest(product, &fits);
             mpq_mul(product, c->w[i], c->y[i]);
-            y[i] = real_from_rational(product);
-            finite = finite && w[i] > 0 && real_is_finite(w[i]);
+            y[i] = nearest(product, &fits);
+            fits = fits && w[i] > 0;
         } else {
-            x[i] = real_from_rational(c->x[i]);
-            y[i] = real_from_rational(c->y[i]);
+            x[i] = nearest(c->x[i], &fits);
+            y[i] = nearest(c->y[i], &fits);
         }
-        finite = finite && real_is_finite(x[i]) && real_is_finite(y[i]);
     }
     mpq_clear(product);
     out->degree = c->degree;
@@ -36,7 +53,7 @@ static const char *curve_make(const struct case_curve *c, real *memory, struct c
     out->w = c->rational ? w : NULL;
     out->domain.lo = real_from_rational(c->lo);
     out->domain.hi = real_from_rational(c->hi);
-    if (!finite)
+    if (!fits)
         return "coordinates: beyond the range of this precision, expected finite numbers and positive "
                "weights";
     if (!real_is_finite(out->domain.lo) || !real_is_finite(out->domain.hi) ||
@@ -93,7 +110,7 @@ void workspace_make(struct workspace *w, const struct intersector *const *a, int
 {
     size_t scratch = 0;
 
-    for (; *a; a++) {
+    for (; a && *a; a++) {
         if ((*a)->scratch) {
             /* problem_solve may exchange the curves */
             size_t nm = (*a)->scratch(n, m), mn = (*a)->scratch(m, n);

@@ -18,8 +18,9 @@ const char *owned_problem_make(const struct test_case *c, real tolerance, int ma
                                struct owned_problem *p);
 void owned_problem_clear(struct owned_problem *p);
 
-/* A workspace large enough for every algorithm in `a` (NULL-terminated) up to degrees n, m; malloc.  Room:
- * the workspace's own (WORKSPACE_ROOM if in doubt).  Without memory the program ends with status 2. */
+/* A workspace large enough for every algorithm in `a` (NULL-terminated; NULL: none) up to degrees n, m;
+ * malloc.  Room: the workspace's own (WORKSPACE_ROOM if in doubt).  Without memory the program ends with
+ * status 2. */
 void workspace_make(struct workspace *w, const struct intersector *const *a, int n, int m, int room);
 void workspace_clear(struct workspace *w);
 

@@ -83,8 +83,8 @@ def orders():
 
 
 def checks():
-    """A row a family, pair of degrees, algorithm and precision: how many pairs got which verdict, what was missed or extra.
-    Ambiguous pairs are counted, but not judged."""
+    """A row a family, pair of degrees, algorithm and precision: how many pairs got which verdict, what was missed
+    or extra.  Ambiguous pairs are counted, but not judged."""
     rows = read_rows("check")
     if rows.empty:
         return rows
@@ -283,6 +283,8 @@ def make(quiet=False):
     main = by_family(checks(), times())
     if main.empty:
         sys.exit("tables: there are no rows in results/raw/; make reproduce measures them")
+    for path in [*TABLES.glob("counts-*"), *TABLES.glob("times-*")]:
+        path.unlink()
     raw = "`results/raw/check-*`"
     write(main, "families", "Every algorithm on every family", f"{raw} and `results/raw/time-*`")
     write(summed(main, ["precision", "algorithm"]), "algorithms", "Every algorithm, all families together", raw)
@@ -295,7 +297,8 @@ def make(quiet=False):
     many = masses()
     if not many.empty:
         title = "Random pairs whose answers were found afresh"
-        write(many, "masses", title, "`build/mass/`", "Judges: krawczyk, Krawczyk's test at binary128; exact, algebra")
+        legend = "Judges: krawczyk, Krawczyk's test at binary128; exact, algebra"
+        write(many, "masses", title, "`build/mass/`", legend)
     if not quiet:
         if not many.empty:
             print_masses(many)

@@ -145,6 +145,14 @@ def test_external_programs():
     assert all("status 1" in row["message"] for row in failing)
 
 
+def test_external_programs_are_judged():
+    """With no other algorithm beside them; a program that answers nothing is not taken for right."""
+    text = "\n".join(CASE % name for name in ("one", "two"))
+    for command, verdict in ((f"{FATLINE} solve --tolerance $FATLINE_TOLERANCE", "RIGHT"), ("false", "NOT_TAKEN")):
+        judged = rows(expect(fatline("check", "--rows", "--truth", "--external", command, text=text), 0))
+        assert [row["verdict"] for row in judged if "verdict" in row] == [verdict, verdict], judged
+
+
 def main():
     tests = [(name, test) for name, test in globals().items() if name.startswith("test_")]
     failed = 0

@@ -217,6 +217,10 @@ static inline void cell_halve(const struct problem *p, struct workspace *w, enum
     struct cell *c = &w->cell[w->used - 1];
     bool f, g;
     choose_halves(p, c, rule, &f, &g);
+    if (!f && !g) { /* shrink has made it narrow enough */
+        observe(w, SHRUNK, c);
+        return;
+    }
     observe(w, SPLIT, c);
     c->depth++;
     struct cell *lower = cell_push(p, w, c);
