@@ -16,7 +16,7 @@ enum { FROM = 256, TO, EVERY, MAX_STEPS, ROOM, POINTS_MAX = 2100 };
 
 static const struct argp_option options[] = {
     {"from", FROM, "N", 0, "widest tolerance 2^-N (4)", 0},
-    {"to", TO, "N", 0, "narrowest tolerance 2^-N (half the bits of the precision, at most 100)", 0},
+    {"to", TO, "N", 0, "narrowest tolerance 2^-N (a third of the bits of the precision, at most 100)", 0},
     {"every", EVERY, "N", 0, "binary orders between two tolerances (2)", 0},
     {"max-steps", MAX_STEPS, "N", 0, "step limit; the ladder ends where it is reached (1000000)", 0},
     {"room", ROOM, "N", 0, "cells that may wait at once (4096)", 0},
@@ -32,9 +32,10 @@ static const char documentation[] =
     "the step "
     "limit. The better law is the one with the smaller scatter of the logarithm; the exponent p is given "
     "with its 95 "
-    "percent interval in either case. A rounding error 2^-53 of the coordinates is seen by strips narrower "
-    "than that: "
-    "in double, boxes below 2^-23 are kept by it, which is why the default ends there.\n\n"
+    "percent interval in either case. Where a box is narrower than the root of the "
+    "rounding error of the coordinates (2^-26 in double), strips are as wide as that error and the law "
+    "breaks: the default "
+    "ends before.\n\n"
     "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data, 130 when interrupted.";
 
 struct command {
@@ -167,7 +168,7 @@ int main(int argc, char **argv)
     static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
     static struct command o;
     o.from = 4;
-    o.to = REAL_BITS < 200 ? REAL_BITS / 2 - 3 : 100;
+    o.to = REAL_BITS < 300 ? REAL_BITS / 3 : 100;
     o.every = 2;
     o.max_steps = 1000000;
     o.room = 8 * WORKSPACE_ROOM;
