@@ -23,7 +23,7 @@ PRECISIONS = double quad multi
 
 COMMON_MODULES = case case_fields case_expected number random row exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter exact_answer json_text truth_compare referee referee_truth referee_place referee_pair referee_krawczyk referee_cells $(COMMON_EXTRA)
 REAL_MODULES   = real_text problem answer judge judge_groups judge_curves judge_overlaps check_options check_case check_table check_worker algorithms_named external solve_options answer_table clock case_set timing timing_rows time_options \
-                 measuring path order_measure lemma_reduction lemma_cut
+                 planted_roots measuring path order_measure lemma_reduction lemma_cut
 COMMON_EXTRA   = progress statistics regression order_estimate known_solutions close_up cost_law
 
 ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c)
@@ -32,7 +32,7 @@ ALGORITHMS_quad  := $(ALGORITHMS)
 ALGORITHMS_multi := $(ALGORITHMS)
 
 # Programs that work with reals are built for each precision; the others once, in build/double.
-PROGRAMS_REAL = list solve check time repeat
+PROGRAMS_REAL = list solve check time repeat roots
 PROGRAMS_ONCE = generate truth
 # These watch the algorithms at work.
 PROGRAMS_WATCHED = trace order cost lemma

@@ -93,6 +93,7 @@ struct cell {
     int depth;              /* splits since the root */
     int turn;               /* 0: f is to be clipped next, 1: g; for algorithms that alternate */
     int halved_f, halved_g; /* midpoint halvings since the last cut from the original (core/cells.h) */
+    bool proved;            /* holds exactly one solution; for algorithms that prove it */
     real *f, *g;
 };
 

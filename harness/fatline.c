@@ -22,6 +22,7 @@ static const struct command {
     {"lemma", "measure the exponents and constants behind hybrid clipping", false},
     {"cost", "measure how steps grow as the tolerance falls", false},
     {"repeat", "solve cases many times over, for profilers", false},
+    {"roots", "measure the root finders of one variable", false},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 

@@ -247,7 +247,8 @@ static struct root to_place(const struct interval *place, const struct root *r)
     return b;
 }
 
-static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+static enum outcome intersect_by(const struct root_finder *finder, const struct problem *p,
+                                 struct workspace *w, struct crossings *out)
 {
     struct state z;
     struct root root[ROOTS_MAX];
@@ -286,7 +287,7 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
         const struct root anywhere = {0, 1, z.degree, false};
         root[0] = anywhere;
     } else {
-        count = roots_find(z.degree, c, error, tolerance, z.scratch, ROOTS_MAX, root);
+        count = finder->find(z.degree, c, error, tolerance, z.scratch, ROOTS_MAX, root, NULL);
     }
     for (int i = 0; i < count; i++) {
         struct root r = to_place(&z.place, &root[i]);
@@ -307,13 +308,22 @@ static size_t scratch(int n, int m)
     return 2 * ((size_t)(n * m) + 1) + (resultant > roots ? resultant : roots);
 }
 
-extern const struct intersector implicitization;
-const struct intersector implicitization = {
-    "implicitization",
-    "resultant in Bernstein form, its roots, inversion; every box proved or owned up to",
-    "T. W. Sederberg, S. R. Parry: Comparison of three curve intersection algorithms, 1986",
-    {0, 0, 0, 0},
-    intersect,
-    scratch,
-    false,
-    false};
+#define IMPLICITIZATION(id, finder, how)                                                                     \
+    static enum outcome id##_intersect(const struct problem *p, struct workspace *w, struct crossings *out)  \
+    {                                                                                                        \
+        return intersect_by(root_finders[finder], p, w, out);                                                \
+    }                                                                                                        \
+    extern const struct intersector id;                                                                      \
+    const struct intersector id = {                                                                          \
+        #id,                                                                                                 \
+        "resultant in Bernstein form, its roots" how ", inversion; every box proved or owned up to",         \
+        "T. W. Sederberg, S. R. Parry: Comparison of three curve intersection algorithms, 1986",             \
+        {0, 0, 0, 0},                                                                                        \
+        id##_intersect,                                                                                      \
+        scratch,                                                                                             \
+        false,                                                                                               \
+        false};
+
+IMPLICITIZATION(implicitization, 0, "")
+IMPLICITIZATION(implicitization_quadratic, 1, " by quadratic clipping")
+IMPLICITIZATION(implicitization_cubic, 2, " by cubic clipping")
