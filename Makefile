@@ -22,8 +22,9 @@ PRECISIONS = double quad multi
 # ---- what is built from what ---------------------------------------------------------------------------------
 
 COMMON_MODULES = case case_fields case_expected number random row exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter exact_answer json_text truth_compare referee referee_truth referee_place referee_pair referee_krawczyk referee_cells $(COMMON_EXTRA)
-REAL_MODULES   = real_text problem answer judge judge_groups judge_curves judge_overlaps check_options check_case check_table check_worker algorithms_named external solve_options answer_table clock case_set timing timing_rows time_options planted_roots
-COMMON_EXTRA   = progress statistics
+REAL_MODULES   = real_text problem answer judge judge_groups judge_curves judge_overlaps check_options check_case check_table check_worker algorithms_named external solve_options answer_table clock case_set timing timing_rows time_options \
+                 planted_roots measuring path order_measure lemma_reduction lemma_cut
+COMMON_EXTRA   = progress statistics regression order_estimate known_solutions close_up cost_law
 
 ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c)
 ALGORITHMS_double := $(ALGORITHMS) $(wildcard algorithms/peers/*.c)
@@ -33,6 +34,8 @@ ALGORITHMS_multi := $(ALGORITHMS)
 # Programs that work with reals are built for each precision; the others once, in build/double.
 PROGRAMS_REAL = list solve check time repeat roots
 PROGRAMS_ONCE = generate truth
+# These watch the algorithms at work.
+PROGRAMS_WATCHED = trace order cost lemma
 GENERATE_MODULES = draft draft_facts draft_contact family family_parts family_local family_write family_random \
                    family_crossing family_scale family_many family_contact family_degenerate family_overlap \
                    family_circle outline glyphs
@@ -80,6 +83,8 @@ build/$(1)/libharness.a: $(call real_objects,$(1)) $(common_objects)
 	ar rcs $$@ $$^
 $(PROGRAMS_REAL:%=build/$(1)/fatline-%): build/$(1)/fatline-%: build/$(1)/harness/%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) $$(LIBS)
+$(PROGRAMS_WATCHED:%=build/$(1)/fatline-%): build/$(1)/fatline-%: build/$(1)/harness/%.o build/$(1)/libharness.a build/$(1)/libwatched.a
+	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) $$(LIBS)
 endef
 $(foreach P,$(PRECISIONS),$(eval $(call precision_rules,$(P))))
 
@@ -100,12 +105,12 @@ build/fatline: build/common/harness/fatline.o
 	$(CC) -o $@ $^
 
 programs = build/fatline $(PROGRAMS_ONCE:%=build/double/fatline-%) \
-           $(foreach P,$(PRECISIONS),$(PROGRAMS_REAL:%=build/$(P)/fatline-%))
+           $(foreach P,$(PRECISIONS),$(patsubst %,build/$(P)/fatline-%,$(PROGRAMS_REAL) $(PROGRAMS_WATCHED)))
 
 # ---- tests ---------------------------------------------------------------------------------------------------
 
 # tests/test_X.c is built for each precision, those named here in double only.
-TESTS_ONCE = test_referee test_statistics test_clock test_case test_case_mistakes test_random test_row test_exact test_exact_overlap test_exact_invariance test_truth
+TESTS_ONCE = test_order test_close_up test_referee test_statistics test_clock test_case test_case_mistakes test_random test_row test_exact test_exact_overlap test_exact_invariance test_truth
 TESTS = $(patsubst tests/%.c,%,$(wildcard tests/test_*.c))
 tests_double = $(TESTS:%=build/double/tests/%)
 tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-out $(TESTS_ONCE),$(TESTS))))
@@ -115,6 +120,8 @@ build/$(1)/tests/test_%: build/$(1)/tests/test_%.o build/$(1)/libharness.a build
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
 # The watched algorithms against the others, whose answers a program of its own prints.
 build/$(1)/tests/answers: build/$(1)/tests/answers.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
+	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
+build/$(1)/tests/test_convergence: build/$(1)/tests/test_convergence.o build/$(1)/libharness.a build/$(1)/libwatched.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
 build/$(1)/tests/test_watched: build/$(1)/tests/test_watched.o build/$(1)/libharness.a build/$(1)/libwatched.a \
                                | build/$(1)/tests/answers

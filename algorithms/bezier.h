@@ -45,6 +45,7 @@ struct problem {
     int max_steps;                 /* > 0 */
     struct bounds bounds;          /* of the prepared problem; callers leave it zero */
     const struct crossings *known; /* NULL, but for `floor` */
+    bool keep_order;               /* the curves are not exchanged: for who measures single steps */
 };
 
 /* CANDIDATE: could not be excluded.  UNIQUE: holds exactly one solution, proved.
@@ -111,8 +112,12 @@ struct workspace {
     bool planned;
     const struct intersector *plan;
     int plan_n, plan_m;
-    void (*watch)(void *log, enum event, const struct cell *); /* called in the watched build only */
+    /* Called in the watched build only: what happened to a cell; whether one just taken from the stack is to be
+     * dropped, for who watches a single solution. */
+    void (*watch)(void *log, enum event, const struct cell *);
+    bool (*ignore)(void *log, const struct cell *);
     void *log;
+    bool swapped; /* in the last solve a cell's f was the problem's g */
 };
 
 /* Order of convergence per round claimed by the reference at contact 1, 2, 3 and at a cusp; 0: none. */

@@ -198,12 +198,13 @@ enum outcome problem_solve(const struct problem *p, const struct intersector *a,
     const real factor = real_ldexp(1, e);
     const struct interval whole = {0, 1};
     struct problem q = *p;
-    bool swapped = curve_compare(&p->f, &p->g) > 0;
+    bool swapped = !p->keep_order && curve_compare(&p->f, &p->g) > 0;
     scale_both(p, e, swapped, w, &q);
-    if (p->f.w && p->g.w && curve_compare(&q.f, &q.g) > 0) { /* the scaled weights decide */
+    if (!p->keep_order && p->f.w && p->g.w && curve_compare(&q.f, &q.g) > 0) { /* the scaled weights decide */
         swapped = !swapped;
         scale_both(p, e, swapped, w, &q);
     }
+    w->swapped = swapped;
     const struct interval first = q.f.domain, second = q.g.domain;
     q.f.domain = q.g.domain = whole;
     q.bounds.scale = extent * factor;

@@ -17,6 +17,10 @@ static const struct command {
     {"solve", "intersect the curves of cases, or two curves of your own", false},
     {"check", "compare answers with the truth", false},
     {"time", "measure how long algorithms take", false},
+    {"trace", "write every step of an algorithm", false},
+    {"order", "measure orders of convergence", false},
+    {"lemma", "measure the exponents and constants behind hybrid clipping", false},
+    {"cost", "measure how steps grow as the tolerance falls", false},
     {"repeat", "solve cases many times over, for profilers", false},
     {"roots", "measure the root finders of one variable", false},
 };

@@ -36,8 +36,13 @@ static inline void observe(const struct workspace *w, enum event e, const struct
         w->watch(w->log, e, c);
     }
 }
+static inline bool is_ignored(const struct workspace *w, const struct cell *c)
+{
+    return w->ignore && w->ignore(w->log, c);
+}
 #else
 #define observe(w, e, c) ((void)0)
+#define is_ignored(w, c) false
 #endif
 
 static inline real interval_width(const struct interval *a)
@@ -284,6 +289,10 @@ static inline enum outcome solve_by_shrinking(const struct problem *p, struct wo
     while (w->used > 0) {
         struct cell *c = &w->cell[w->used - 1];
         struct piece piece[PIECES_MAX];
+        if (is_ignored(w, c)) {
+            w->used--;
+            continue;
+        }
         if (w->steps >= p->max_steps) {
             for (; w->used > 0; w->used--) {
                 cell_accept(w, &w->cell[w->used - 1], out);
