@@ -17,6 +17,7 @@ static const struct command {
     {"solve", "intersect the curves of cases, or two curves of your own", false},
     {"check", "compare answers with the truth", false},
     {"time", "measure how long algorithms take", false},
+    {"region", "where a control point may go without changing the sign of curvature", false},
     {"repeat", "solve cases many times over, for profilers", false},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
