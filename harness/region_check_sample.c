@@ -96,7 +96,10 @@ const char *region_check_sample(const struct region_problem *p, struct region_wo
     struct region_sample s;
     struct region_problem plain = *p;
     bool good = p->loop_free || a->outcome != SOLVED; /* the sample knows nothing of loops */
-    double slack = rounding + (a->method == region_methods[0] ? 0 : 2 * real_to_double(p->tolerance) + 4e-6);
+    double slack =
+        rounding + (a->method == region_methods[0]
+                        ? 0
+                        : 8 * real_to_double(p->tolerance > 0 ? p->tolerance : real_ldexp(1, -20)));
     int per_span = PER_SPAN;
     for (int i = 0; i < REFINEMENTS && !good; i++) {
         region_sample_make(&s, &plain, per_span);

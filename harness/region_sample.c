@@ -108,6 +108,7 @@ static void plane_at(const struct doubles *d, int k, double t, struct sampled_pl
         length = fabs(h);
     if (!(all > 0))
         length = 1;
+    out->error = all > 0 ? 1e-12 * all / length : 1;
     out->a = d->sign * a / length;
     out->b = d->sign * b / length;
     out->c = all > 0 ? d->sign * h / length : 1; /* nothing is known there */
@@ -205,7 +206,10 @@ double region_sample_height(const struct region_sample *s, double x, double y)
     double least = INFINITY;
     x = (x - s->x0) / s->size;
     y = (y - s->y0) / s->size;
-    for (int i = 0; i < s->count; i++)
-        least = fmin(least, s->plane[i].a * x + s->plane[i].b * y + s->plane[i].c);
-    return least / fmax(1, hypot(x, y));
+    double far = fmax(1, hypot(x, y));
+    for (int i = 0; i < s->count; i++) {
+        const struct sampled_plane *p = &s->plane[i];
+        least = fmin(least, (p->a * x + p->b * y + p->c) / far + p->error);
+    }
+    return least;
 }

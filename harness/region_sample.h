@@ -5,9 +5,10 @@
 
 #include "../algorithms/region.h"
 
-/* a x + b y + c >= 0 with a^2 + b^2 = 1 in coordinates (x - x0) / size; a = b = 0: c = 1 or -1. */
+/* a x + b y + c >= 0 with a^2 + b^2 = 1 in coordinates (x - x0) / size; a = b = 0: c = 1 or -1.  The
+ * coefficients err by about `error`. */
 struct sampled_plane {
-    double a, b, c;
+    double a, b, c, error;
 };
 
 struct region_sample {
@@ -24,8 +25,8 @@ enum { SAMPLE_BOX = 1000 };
 void region_sample_make(struct region_sample *s, const struct region_problem *p, int per_span);
 void region_sample_clear(struct region_sample *s);
 
-/* Least a x + b y + c over all planes at a point in the curve's own coordinates, over its distance from the
- * origin of the sample if that is above 1. */
+/* Least a x + b y + c + error over all planes at a point in the curve's own coordinates, over its distance
+ * from the origin of the sample if that is above 1. */
 double region_sample_height(const struct region_sample *s, double x, double y);
 
 #endif

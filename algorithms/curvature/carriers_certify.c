@@ -14,7 +14,7 @@ enum { TRIANGLES = 400, STACK = 64 };
 static bool keeps_sign(struct region_work *k, int n, const real *c, const real *bound, real lo, real hi)
 {
     real both[2 * FORM_MAX], cut[2 * FORM_MAX], scratch[FORM_MAX], where;
-    if (n < 0) {
+    if (n < 0 || n >= FORM_MAX) {
         return false;
     }
     for (int i = 0; i <= n; i++) {
@@ -65,11 +65,8 @@ static bool apex_holds(struct region_work *k, const struct piece *p, real lo, re
     if (!half_plane_at(k, p->span, lo, false, &from) || !half_plane_at(k, p->span, hi, false, &to)) {
         return false;
     }
-    triple_meet(from.l, from.error, to.l, to.error, v, &error);
-    for (int i = 0; v[2] < 0 && i < 3; i++) {
-        v[i] = i == 2 ? v[i] : -v[i];
-    }
-    v[2] = real_abs(v[2]);
+    const struct half_plane *first = k->sign > 0 ? &from : &to, *second = k->sign > 0 ? &to : &from;
+    triple_meet(first->l, first->error, second->l, second->error, v, &error); /* counter-clockwise: Z >= 0 */
     return error < real_ldexp(1, -REAL_BITS / 4) && holds_at(k, p, v, error);
 }
 

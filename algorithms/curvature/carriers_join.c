@@ -1,5 +1,6 @@
 /* The boundary from its visible parts, in the order of their normals. */
 #include "carriers.h"
+#include "form.h"
 
 enum { EDGE_MARKS = 64 };
 
@@ -21,6 +22,20 @@ static void set_triple(const real *a, real *out)
     }
 }
 
+/* The end at t of an arc, where w3 has the sign it has in the middle; at infinity the direction in which the
+ * arc goes there. */
+static void end_of_arc(const struct region_work *k, const struct carrier_arc *a, real t, real *v)
+{
+    const struct span_forms *f = &k->span[k->piece[a->piece].span].form;
+    real w3;
+    form_values(f->e, 3, f->w, t, v);
+    form_values(f->e, 1, f->w + 2 * (f->e + 1), a->from.t + (a->to.t - a->from.t) / 2, &w3);
+    triple_normalise(v);
+    for (int i = 0; w3 < 0 && i < 3; i++) {
+        v[i] = -v[i];
+    }
+}
+
 static bool add_arc(const struct region_work *k, const struct carrier_arc *a, struct parts *out)
 {
     const struct piece *piece = &k->piece[a->piece];
@@ -35,8 +50,8 @@ static bool add_arc(const struct region_work *k, const struct carrier_arc *a, st
     p->edge.t1 = k->sign > 0 ? a->to.t : a->from.t;
     half_plane_at(k, piece->span, a->from.t + (a->to.t - a->from.t) / 2, false, &plane);
     set_triple(plane.l, p->edge.line);
-    envelope_at(k, piece->span, p->edge.t, p->from);
-    envelope_at(k, piece->span, p->edge.t1, p->to);
+    end_of_arc(k, a, p->edge.t, p->from);
+    end_of_arc(k, a, p->edge.t1, p->to);
     return true;
 }
 

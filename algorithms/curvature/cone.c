@@ -34,7 +34,7 @@ void cone_init(struct cone *c)
     c->count = 1;
     half_plane_infinity(&c->edge[0].plane);
     c->edge[0].v[0] = c->edge[0].v[1] = c->edge[0].v[2] = c->edge[0].error = 0;
-    c->edge[0].holds = false;
+    c->edge[0].holds = c->edge[0].fresh = false;
 }
 
 static void set_vertex(struct cone *c, int i)
@@ -42,6 +42,7 @@ static void set_vertex(struct cone *c, int i)
     struct cone_edge *e = &c->edge[i], *next = &c->edge[i + 1 < c->count ? i + 1 : 0];
     triple_meet(e->plane.l, e->plane.error, next->plane.l, next->plane.error, e->v, &e->error);
     e->holds = false;
+    e->fresh = true;
 }
 
 static void set_plane(struct cone *c, int i, const struct half_plane *p)

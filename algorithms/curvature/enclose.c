@@ -68,8 +68,11 @@ bool enclose_round(struct region_work *k, struct cone *c, real relaxed, real tol
     real v[3], error;
     struct half_plane worst;
     *cuts = 0;
+    for (int i = 0; i < c->count; i++) {
+        c->edge[i].fresh = false;
+    }
     for (int i = 0; cone_generator(c, i, v, &error); i++) {
-        if (c->count > 1 && i < c->count && c->edge[i].holds) {
+        if (c->count > 1 && i < c->count && (c->edge[i].holds || c->edge[i].fresh)) {
             continue;
         }
         enum verdict verdict = planes_hold(k, NULL, v, error + relaxed + tolerance, &worst);

@@ -12,8 +12,8 @@ enum clip enclose_clip(struct cone *c, const struct half_plane *p, real relaxed)
  * only if `all`.  false: nothing is left. */
 bool enclose_ends(struct region_work *k, struct cone *c, bool all, real relaxed, enum outcome *outcome);
 
-/* Cuts every vertex that misses a condition by more than `tolerance` with the worst one, once; *cuts counts.
- * false: nothing is left. */
+/* Cuts every vertex there is that misses a condition by more than `tolerance` with the worst one; *cuts
+ * counts. false: nothing is left. */
 bool enclose_round(struct region_work *k, struct cone *c, real relaxed, real tolerance, int *cuts,
                    enum outcome *outcome);
 

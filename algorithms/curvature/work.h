@@ -42,8 +42,8 @@ struct half_plane {
  * v = l[i] x l[i + 1].  One half-plane: no vertex; two: two opposite ones. */
 struct cone_edge {
     struct half_plane plane;
-    real v[3], error; /* unit vector, and its error */
-    bool holds;       /* v is known to fulfil all conditions */
+    real v[3], error;  /* unit vector, and its error */
+    bool holds, fresh; /* v is known to fulfil all conditions; it was made in this round */
 };
 
 struct cone {
