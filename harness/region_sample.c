@@ -81,8 +81,9 @@ static double derivative(const struct doubles *d, int k, int column, int order, 
     return a[n];
 }
 
-/* det(F', F'') for the handle at (x, y), F = (S + (x, y) eta) / W, by the rule for quotients. */
-static double height(double v[ORDERS][COLUMNS], double x, double y)
+/* det(F', F'') for the handle at (x, y), F = (S + (x, y) eta) / W, by the rule for quotients; *noise grows to
+ * what it may err by. */
+static double height(double v[ORDERS][COLUMNS], double x, double y, double *noise)
 {
     double w = v[0][2], f[2][ORDERS];
     for (int c = 0; c < 2; c++) {
@@ -93,6 +94,8 @@ static double height(double v[ORDERS][COLUMNS], double x, double y)
         f[c][1] = (h[1] - v[1][2] * f[c][0]) / w;
         f[c][2] = (h[2] - 2 * v[1][2] * f[c][1] - v[2][2] * f[c][0]) / w;
     }
+    double first = hypot(f[0][1], f[1][1]), second = hypot(f[0][2], f[1][2]);
+    *noise = fmax(*noise, 1e-13 * (1 + first) * (1 + second));
     return f[0][1] * f[1][2] - f[0][2] * f[1][1];
 }
 
@@ -102,13 +105,14 @@ static void plane_at(const struct doubles *d, int k, double t, struct sampled_pl
     for (int r = 0; r < ORDERS; r++)
         for (int c = 0; c < COLUMNS; c++)
             v[r][c] = derivative(d, k, c, r, t);
-    double h = height(v, 0, 0), a = height(v, 1, 0) - h, b = height(v, 0, 1) - h, length = hypot(a, b);
+    double noise = 0, h = height(v, 0, 0, &noise);
+    double a = height(v, 1, 0, &noise) - h, b = height(v, 0, 1, &noise) - h, length = hypot(a, b);
     double all = hypot(length, h);
     if (!(length > 1e-13 * all))
         length = fabs(h);
     if (!(all > 0))
         length = 1;
-    out->error = all > 0 ? 1e-12 * all / length : 1;
+    out->error = noise / length;
     out->a = d->sign * a / length;
     out->b = d->sign * b / length;
     out->c = all > 0 ? d->sign * h / length : 1; /* nothing is known there */

@@ -41,8 +41,8 @@ struct carrier_crossings {
 /* Pieces joined smoothly within half a turn: their arcs do not cross. */
 bool pieces_are_near(const struct piece *a, const struct piece *b);
 
-/* The tangent at t of the piece's span is an end tangent of the piece itself. */
-bool plane_is_own(const struct region_work *k, const struct half_plane *p, const struct piece *own);
+/* p is a tangent of the piece, at *t of its span. */
+bool plane_is_own(const struct region_work *k, const struct half_plane *p, const struct piece *own, real *t);
 
 /* The S+ pieces inside the cone k->cone, cut by its edges; false: no room. */
 bool arcs_inside(struct region_work *k, struct carrier_arcs *out);

@@ -20,28 +20,26 @@ static bool is_same_plane(const struct half_plane *a, const struct half_plane *b
 }
 
 /* Also where it is the tangent of a neighbour at the knot between them. */
-bool plane_is_own(const struct region_work *k, const struct half_plane *p, const struct piece *own)
+bool plane_is_own(const struct region_work *k, const struct half_plane *p, const struct piece *own, real *t)
 {
     struct half_plane end;
     if (p->source != MEMBER) {
         return false;
     }
     if (p->span == own->span) {
+        *t = p->t;
         return p->t >= own->lo && p->t <= own->hi;
     }
-    if (p->span + 1 == own->span && p->t == 1 && own->lo == 0) {
-        return half_plane_at(k, own->span, 0, true, &end) && is_same_plane(&end, p);
-    }
-    if (p->span == own->span + 1 && p->t == 0 && own->hi == 1) {
-        return half_plane_at(k, own->span, 1, true, &end) && is_same_plane(&end, p);
-    }
-    return false;
+    bool after = p->span + 1 == own->span && own->lo == 0, before = p->span == own->span + 1 && own->hi == 1;
+    *t = after ? (real)0 : (real)1;
+    return (after || before) && half_plane_at(k, own->span, *t, true, &end) && is_same_plane(&end, p);
 }
 
 /* A convex arc lies on the right side of its own tangents, and of those of its smooth neighbours. */
 static bool never_cuts(const struct region_work *k, const struct half_plane *p, const struct piece *own)
 {
-    if (p->source == AT_INFINITY || plane_is_own(k, p, own)) {
+    real t;
+    if (p->source == AT_INFINITY || plane_is_own(k, p, own, &t)) {
         return true;
     }
     for (int i = 0; p->source == MEMBER && i < k->pieces; i++) {

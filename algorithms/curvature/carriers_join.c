@@ -63,13 +63,13 @@ static int marks_on_edge(const struct region_work *k, const struct carrier_arcs 
 {
     const struct half_plane *plane = &k->cone.edge[edge].plane;
     int count = 0;
+    real t;
     for (int i = 0; i < visible->count && count + 2 < EDGE_MARKS; i++) {
         const struct carrier_arc *a = &visible->at[i];
         const struct piece *piece = &k->piece[a->piece];
         const struct mark *ends[2] = {&a->from, &a->to};
         for (int j = 0; j < 2; j++) {
-            bool touches = ends[j]->kind == MARK_END && plane_is_own(k, plane, piece) &&
-                           (plane->span != piece->span || plane->t == ends[j]->t);
+            bool touches = ends[j]->kind == MARK_END && plane_is_own(k, plane, piece, &t) && t == ends[j]->t;
             if (!touches && !(ends[j]->kind == MARK_EDGE && ends[j]->edge == edge)) {
                 continue;
             }

@@ -27,6 +27,28 @@ static enum outcome find_arcs(struct region_work *k, struct region *out)
     return SOLVED;
 }
 
+/* All edges are corner lines, or the line at infinity; others were cuts, which may stand for an arc. */
+static bool has_corners_only(const struct cone *c)
+{
+    for (int i = 0; i < c->count; i++) {
+        if (c->edge[i].plane.source != AT_INFINITY && !c->edge[i].plane.corner) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Vertices are known well enough for their conditions to mean something. */
+static bool is_sharp(const struct cone *c)
+{
+    for (int i = 0; c->count > 1 && i < c->count; i++) {
+        if (c->edge[i].error > real_ldexp(1, -REAL_BITS / 2)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static enum outcome find(const struct region_problem *p, struct region_workspace *w, struct region *out)
 {
     struct region_work *k = w->work;
@@ -46,8 +68,8 @@ static enum outcome find(const struct region_problem *p, struct region_workspace
             return outcome;
         }
     }
-    if (outcome == SOLVED && cuts == 0) {
-        out->certified = true;
+    if (outcome == SOLVED && cuts == 0 && (has_corners_only(&k->cone) || k->cone.count < 3)) {
+        out->certified = is_sharp(&k->cone);
         return boundary_of_cone(&k->cone, out) ? SOLVED : OUT_OF_ROOM;
     }
     return outcome == SOLVED ? find_arcs(k, out) : outcome;
