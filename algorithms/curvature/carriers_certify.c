@@ -108,7 +108,7 @@ bool carriers_certify(struct region_work *k, const struct carrier_arcs *visible,
         const struct region_edge *e = &r->edge[i];
         struct half_plane plane;
         bool is_sharp =
-            half_plane_at(k, e->span, e->t, false, &plane) && plane.error < real_ldexp(1, -REAL_BITS / 2);
+            half_plane_at(k, e->span, e->t, false, &plane) && plane.error < real_ldexp(1, -REAL_BITS * 3 / 8);
         if (!is_sharp || !end_holds(k, e->from, e->from_infinity) || !end_holds(k, e->to, e->to_infinity)) {
             return false;
         }

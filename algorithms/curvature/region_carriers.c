@@ -42,7 +42,7 @@ static bool has_corners_only(const struct cone *c)
 static bool is_sharp(const struct cone *c)
 {
     for (int i = 0; c->count > 1 && i < c->count; i++) {
-        if (c->edge[i].error > real_ldexp(1, -REAL_BITS / 2)) {
+        if (c->edge[i].error > real_ldexp(1, -REAL_BITS * 3 / 8)) {
             return false;
         }
     }
