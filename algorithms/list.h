@@ -29,3 +29,9 @@ CONTROL(control_no_margin)
 CONTROL(control_normal_not_unit)
 
 #define INTERSECTOR_DEFAULT bezier_clipping
+
+/* The same for the second part. */
+#ifdef REGION_METHOD
+REGION_METHOD(region_carriers)
+REGION_METHOD(region_cutting)
+#endif

@@ -21,6 +21,7 @@ static const struct command {
     {"order", "measure orders of convergence", false},
     {"lemma", "measure the exponents and constants behind hybrid clipping", false},
     {"cost", "measure how steps grow as the tolerance falls", false},
+    {"region", "where a control point may go without changing the sign of curvature", false},
     {"repeat", "solve cases many times over, for profilers", false},
     {"roots", "measure the root finders of one variable", false},
 };
