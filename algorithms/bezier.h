@@ -28,14 +28,12 @@ struct curve {
 };
 
 /* Made once for each problem by problem_solve; algorithms read them.  Both curves are then scaled by one
- * power of two so that 1 <= scale < 2, and the weights of each so that the largest is in [1, 2). scale:  max
- * |coordinate| of the Euclidean control points of both curves (0 if all are the origin). f, g:   every
- * control point that a cell carries for f (for g) differs from the exact one over the cell's interval by at
- * most f (g) in each Euclidean coordinate; see core/cells.h. tolerance_t, tolerance_s: widths asked for in
- * local parameters, in [0, 1]. */
+ * power of two so that 1 <= scale < 2. */
 struct bounds {
-    real scale, f, g;
-    real tolerance_t, tolerance_s;
+    real scale; /* max |coordinate| of the Euclidean control points of both curves; 0 if all are the origin */
+    real f, g;  /* every control point that a cell carries for f (for g) differs from the exact one over the
+                   cell's interval by at most this in each Euclidean coordinate: see core/cells.h */
+    real tolerance_t, tolerance_s; /* widths asked for in local parameters, 4 REAL_EPSILON to 1/16 */
 };
 
 struct crossings;
@@ -78,7 +76,8 @@ struct crossings {
     struct overlap overlap[OVERLAPS_MAX];
 };
 
-/* SOLVED: every record is as narrow as asked, or carries its own proof.
+/* SOLVED: every record is as narrow as asked and the precision allows (struct bounds), or carries its own
+ * proof.
  * OUT_OF_STEPS, OUT_OF_ROOM: stopped early; what is undecided is among the records, wider than asked.
  * UNSUPPORTED: this algorithm does not take this problem (in this precision); no records.
  * INVALID: the problem is not one (degree, weights that are not positive or differ by more than 2^256,
@@ -147,7 +146,7 @@ const struct intersector *intersector_find(const char *name); /* in either table
 
 /* Bytes for curves of degree <= n, <= m, `room` waiting cells and `scratch` numbers. */
 size_t workspace_size(int n, int m, int room, size_t scratch);
-/* Lays w out in `memory` (aligned as malloc aligns, at least workspace_size bytes). */
+/* Lays w out in `memory` (aligned as malloc aligns, at least workspace_size bytes); room >= 1. */
 void workspace_init(struct workspace *w, void *memory, int n, int m, int room, size_t scratch);
 
 /* Solves p by a: validates, scales by a power of two, puts the two curves in a canonical order (so that

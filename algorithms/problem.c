@@ -100,7 +100,7 @@ static real cell_error(const struct curve *c, real scale)
 
 /* ---- order ---- */
 
-/* A total order of scaled curves: < 0, 0, > 0. */
+/* A total order of curves that no positive scaling of the coordinates changes: < 0, 0, > 0. */
 static int curve_compare(const struct curve *a, const struct curve *b)
 {
     if (a->degree != b->degree) {
@@ -170,6 +170,19 @@ static void translate_back(const struct problem *p, bool swapped, real factor, s
     crossings_sort(out);
 }
 
+/* In [0, 1]: not below the rounding of a parameter, and not so wide that a record would say nothing. */
+static real local_tolerance(real tolerance, const struct interval *domain)
+{
+    const real narrowest = 4 * REAL_EPSILON, widest = (real)1 / 16;
+    return real_min(widest, real_max(narrowest, tolerance / (domain->hi - domain->lo)));
+}
+
+static void scale_both(const struct problem *p, int e, bool swapped, struct workspace *w, struct problem *q)
+{
+    const struct curve *first = swapped ? &p->g : &p->f, *second = swapped ? &p->f : &p->g;
+    curve_scale(second, e, curve_scale(first, e, w->prepared, &q->f), &q->g);
+}
+
 enum outcome problem_solve(const struct problem *p, const struct intersector *a, struct workspace *w,
                            struct crossings *out)
 {
@@ -185,20 +198,20 @@ enum outcome problem_solve(const struct problem *p, const struct intersector *a,
     const real factor = real_ldexp(1, e);
     const struct interval whole = {0, 1};
     struct problem q = *p;
-    curve_scale(&p->g, e, curve_scale(&p->f, e, w->prepared, &q.f), &q.g);
-    const bool swapped = !p->keep_order && curve_compare(&q.f, &q.g) > 0;
-    w->swapped = swapped;
-    if (swapped) {
-        curve_scale(&p->f, e, curve_scale(&p->g, e, w->prepared, &q.f), &q.g);
+    bool swapped = !p->keep_order && curve_compare(&p->f, &p->g) > 0;
+    scale_both(p, e, swapped, w, &q);
+    if (!p->keep_order && p->f.w && p->g.w && curve_compare(&q.f, &q.g) > 0) { /* the scaled weights decide */
+        swapped = !swapped;
+        scale_both(p, e, swapped, w, &q);
     }
+    w->swapped = swapped;
     const struct interval first = q.f.domain, second = q.g.domain;
     q.f.domain = q.g.domain = whole;
     q.bounds.scale = extent * factor;
     q.bounds.f = cell_error(&q.f, q.bounds.scale);
     q.bounds.g = cell_error(&q.g, q.bounds.scale);
-    const real narrowest = 4 * REAL_EPSILON;
-    q.bounds.tolerance_t = real_max(narrowest, p->tolerance / (first.hi - first.lo));
-    q.bounds.tolerance_s = real_max(narrowest, p->tolerance / (second.hi - second.lo));
+    q.bounds.tolerance_t = local_tolerance(p->tolerance, &first);
+    q.bounds.tolerance_s = local_tolerance(p->tolerance, &second);
     w->planned = w->plan == a && w->plan_n == q.f.degree && w->plan_m == q.g.degree;
     w->plan = a;
     w->plan_n = q.f.degree;

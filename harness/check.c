@@ -176,7 +176,7 @@ int main(int argc, char **argv)
         check_load_standard_input();
     if (options.rows)
         row_write(stdout, row_environment(argc, argv, REAL_NAME));
-    progress_set_quiet(options.quiet);
+    progress_set_quiet(options.quiet || (options.rows && isatty(STDOUT_FILENO)));
     progress_begin("check", count_lines(&options));
     action.sa_handler = interrupt;
     action.sa_flags = SA_RESETHAND; /* the second signal ends the program at once */
@@ -187,6 +187,10 @@ int main(int argc, char **argv)
 
     if (!options.rows)
         check_table_write(&table, stdout);
+    if (status == OK && !table.count && !interrupted)
+        fprintf(
+            stderr,
+            "fatline check: no case was checked: there is none in the files, or none that was asked for\n");
     if (check_table_unjudged(&table))
         fprintf(stderr, "fatline check: %ld answers unjudged for want of a truth (--truth computes it)\n",
                 check_table_unjudged(&table));

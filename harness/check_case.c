@@ -85,7 +85,7 @@ static json_t *row_of(const struct test_case *c, const struct answer *a, const s
 static void note_failure(json_t *reply, const struct test_case *c, const struct answer *a,
                          const struct judgement *v)
 {
-    char missed[64] = "", extra[64] = "", duplicate[48] = "", merged[48] = "";
+    char missed[64] = "", extra[64] = "", duplicate[48] = "", merged[64] = "";
     if (v->missed)
         snprintf(missed, sizeof missed, ", missed %d of %d, near t = %.6g", v->missed, v->expected,
                  v->missed_t);
@@ -94,7 +94,7 @@ static void note_failure(json_t *reply, const struct test_case *c, const struct 
     if (v->duplicate)
         snprintf(duplicate, sizeof duplicate, ", %d duplicate", v->duplicate);
     if (v->merged)
-        snprintf(merged, sizeof merged, ", %d merged", v->merged);
+        snprintf(merged, sizeof merged, ", %d merged (wider than 4 tolerances)", v->merged);
     char all[256];
     snprintf(all, sizeof all, "%s%s%s%s", missed, extra, duplicate, merged);
     note(reply, "%s %s %s: %s%s", c->id, REAL_NAME, a->algorithm, all + 2,
@@ -159,7 +159,8 @@ json_t *checker_run(struct checker *k, struct test_case *c)
 
     find_truth(k->options, c, reply);
     double tol = case_tolerance(c, k->options->tolerance);
-    const char *why_not = owned_problem_make(c, (real)tol, k->options->max_steps, &owned);
+    double asked = REAL_BITS == 53 ? tol : k->options->tolerance;
+    const char *why_not = owned_problem_make(c, (real)asked, k->options->max_steps, &owned);
     if (why_not) {
         note(reply, "%s:%d: %s", c->file, c->line_number, why_not);
         json_object_set_new(reply, "bad", json_true());

@@ -23,7 +23,7 @@ static const struct argp_option options[] = {
     {"max-steps", MAX_STEPS, "N", 0, "step limit (100000)", 0},
     {"room", ROOM, "N", 0, "cells that may wait at once (512)", 0},
     {"external", 'x', "CMD", 0, "a program that reads case lines and writes a line of `solve` for each", 0},
-    {"timeout", TIMEOUT, "S", 0, "seconds that program may take for a case (10)", 0},
+    {"timeout", TIMEOUT, "S", 0, "seconds an external program may take for a case (10)", 0},
     {"jobs", 'j', "N", 0, "processes that share the work (1)", 0},
     {0, 0, 0, 0, "What is written:", 3},
     {"rows", ROWS, 0, 0, "a line of JSON for each case and algorithm instead of the table", 0},
@@ -35,12 +35,17 @@ static const char documentation[] =
     "Writes a table by class and algorithm; ambiguous cases have lines of their own. What went wrong is "
     "named "
     "on standard error.\v"
-    "Each case is solved and judged at the larger of the tolerance asked for and its own (expected.tol). "
+    "Each case is judged at the larger of the tolerance asked for and its own (expected.tol, which `truth` "
+    "sets to 1e-12 or more), and in double solved at that too; at the other precisions it is solved at the "
+    "tolerance asked for. "
     "The verdicts: RIGHT; WRONG (something missed, extra, duplicate or merged); STOPPED (out of steps or "
     "room "
     "with every solution still covered); NOT_TAKEN; UNJUDGED (no truth known).\n\n"
-    "Exit status: 0, 1 if something was missed or is extra in a case that is not ambiguous, 2 on an input or "
-    "output error, 64 on wrong usage, 65 on bad data, 130 when interrupted.";
+    "Merged: a group of records that hold a solution is wider than four tolerances.\n\n"
+    "Exit status: 0, 1 if something was missed or is extra in a case that is not ambiguous (duplicate and "
+    "merged do not count), 2 on an input or output error or if the external program is not there, 64 on "
+    "wrong "
+    "usage, 65 on bad data, 130 when interrupted.";
 
 static int read_count(struct argp_state *state, const char *name, const char *text)
 {

@@ -82,6 +82,14 @@ static bool take_line(struct worker *w, const char *text, const char *file, int 
     return !mine || reply_with(w, reply);
 }
 
+/* A file that cannot be read takes the place of a line. */
+static bool report_failure(struct worker *w, const char *path, int why)
+{
+    return w->lines++ % w->options->jobs != w->number ||
+           reply_with(w, json_pack("{s:b,s:[o]}", "failed", 1, "notes",
+                                   json_sprintf("%s: %s", path, strerror(why))));
+}
+
 static bool take_file(struct worker *w, const char *path)
 {
     const char *name = strcmp(path, "-") ? path : "stdin";
@@ -92,14 +100,14 @@ static bool take_file(struct worker *w, const char *path)
     bool more = true;
 
     if (!stream)
-        return w->lines++ % w->options->jobs != w->number ||
-               reply_with(w, json_pack("{s:b,s:[o]}", "failed", 1, "notes",
-                                       json_sprintf("%s: %s", path, strerror(errno))));
+        return report_failure(w, path, errno);
     while (more && getline(&text, &size, stream) >= 0) {
         line_number++;
         if (!check_line_is_blank(text))
             more = take_line(w, text, name, line_number);
     }
+    if (more && ferror(stream))
+        more = report_failure(w, path, errno);
     free(text);
     fclose(stream);
     return more;

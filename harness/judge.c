@@ -44,10 +44,12 @@ static void weigh_group(struct court *q, struct group *g)
 /* Multiplicities held: at least those well inside, at most those near it. */
 static void weigh_cluster(const struct court *q, const struct record *r, int *least, int *most)
 {
+    real width = real_min(r->at.t.hi - r->at.t.lo, r->at.s.hi - r->at.s.lo),
+         inside = real_min(q->tol, width) / 8;
     *least = *most = 0;
     for (int i = 0; i < q->solutions; i++) {
         int multiplicity = q->solution[i].multiplicity;
-        if (box_contains(&r->at, q->solution[i].t, q->solution[i].s, -q->tol / 8))
+        if (box_contains(&r->at, q->solution[i].t, q->solution[i].s, -inside))
             *least += multiplicity ? multiplicity : 1;
         if (box_contains(&r->at, q->solution[i].t, q->solution[i].s, q->tol))
             *most = multiplicity && *most < WEIGHT_UNKNOWN ? *most + multiplicity : WEIGHT_UNKNOWN;

@@ -113,5 +113,9 @@ int main(int argc, char **argv)
     else
         print_table(a);
     algorithms_named_clear(&r.algorithms);
-    return fflush(stdout) || ferror(stdout) ? 2 : 0;
+    if (fflush(stdout) || ferror(stdout)) {
+        fprintf(stderr, "fatline list: standard output cannot be written\n");
+        return 2;
+    }
+    return 0;
 }

@@ -1,5 +1,7 @@
 #include "row.h"
 
+#include "json_text.h"
+
 #include <gmp.h>
 #include <gnu/libc-version.h>
 #include <mpfr.h>
@@ -181,7 +183,7 @@ const char *row_run_id(void)
 void row_write(FILE *stream, json_t *row)
 {
     json_object_set_new(row, "run", json_string(row_run_id()));
-    json_dumpf(row, stream, JSON_COMPACT);
+    json_text_write(stream, row);
     fputc('\n', stream);
     json_decref(row);
 }

@@ -155,6 +155,8 @@ static int solve_file(struct solver *s, const char *path)
         return FAILED;
     }
     int result = solve_stream(s, stream, path);
+    if (ferror(stream))
+        result = FAILED;
     fclose(stream);
     return result;
 }
@@ -207,7 +209,7 @@ static int open_all(struct solver *s, const struct solve_options *o)
     const char *error =
         o->external ? external_start(&s->external, o->external, o->timeout, o->tolerance) : NULL;
     if (error)
-        fprintf(stderr, "%s\n", error);
+        fprintf(stderr, "fatline solve: %s\n", error);
     return error ? FAILED : OK;
 }
 

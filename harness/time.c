@@ -134,7 +134,7 @@ static void line_up(const struct time_settings *s, struct external *external, st
         const char *error = external_start(&external[i], s->external[i], s->timeout, s->plan.tolerance);
 
         if (error) {
-            fprintf(stderr, "fatline: %s: %s\n", s->external[i], error);
+            fprintf(stderr, "fatline time: %s\n", error);
             exit(2);
         }
         contender[n].name = external[i].name;

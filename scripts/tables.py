@@ -19,6 +19,7 @@ VERDICTS = {"RIGHT": "right", "WRONG": "wrong", "STOPPED": "stopped", "NOT_TAKEN
 COUNTS = ["missed", "extra", "duplicate", "merged", "undecided"]
 SUMS = ["pairs", *VERDICTS.values(), "expected", "found", *COUNTS]
 KEY = ["family", "degrees", "algorithm", "precision"]
+TEXTS = [*KEY, "judge"]  # columns to the left
 PRECISIONS = ["double", "quad", "multi"]
 
 
@@ -175,12 +176,14 @@ def counts_matrix(main, precision):
 
 
 def short(wide):
-    """Of each family the one row that terminals get: cubics, or the first."""
-    rows = [group[group.degrees == "3x3"] if (group.degrees == "3x3").any() else group.head(1)
+    """Of each family the rows that terminals and figures get: cubics, or the first degrees."""
+    rows = [group[group.degrees == ("3x3" if (group.degrees == "3x3").any() else group.degrees.iloc[0])]
             for _, group in wide.groupby("family", sort=False)]
     return pd.concat(rows)
 
 
+COUNTS_TITLE = "Pairs right / solutions missed / extra"
+COUNTS_LEGEND = "Pairs that are not right without a miss or an extra stopped early, merged, or were not taken"
 MATRIX_LEGEND = (
     "median time of a pair in microseconds. *: some pairs stopped early, merged or not taken, which are not timed; "
     "N miss: N solutions missed; N extra: N claimed where there is none; N not: N pairs not right and none timed; "
@@ -211,14 +214,14 @@ def markdown(table, title, note):
     head = [str(c) for c in table.columns]
     lines = [f"# {title}", "", note, "",
              "| " + " | ".join(head) + " |",
-             "|" + "|".join(" --- " if c in KEY else " ---: " for c in head) + "|"]
+             "|" + "|".join(" --- " if c in TEXTS else " ---: " for c in head) + "|"]
     lines += ["| " + " | ".join(map(str, row)) + " |" for row in table.values.tolist()]
     return "\n".join(lines) + "\n"
 
 
 def latex(table, caption):
     styler = table.rename(columns=lambda c: str(c).replace("_", r"\_")).replace("_", r"\_", regex=True).style
-    form = "".join("l" if c in KEY else "r" for c in table.columns)
+    form = "".join("l" if c in TEXTS else "r" for c in table.columns)
     return styler.hide(axis="index").to_latex(hrules=True, column_format=form, caption=caption)
 
 
@@ -236,7 +239,7 @@ def aligned(table):
     """The table as lines of text for a terminal."""
     rows = [[str(c) for c in table.columns], *table.values.tolist()]
     widths = [max(len(str(row[i])) for row in rows) for i in range(len(rows[0]))]
-    names = [i for i, c in enumerate(table.columns) if c in KEY]
+    names = [i for i, c in enumerate(table.columns) if c in TEXTS]
     return "\n".join("  ".join(str(v).ljust(w) if i in names else str(v).rjust(w)
                                for i, (v, w) in enumerate(zip(row, widths))).rstrip() for row in rows)
 
@@ -249,7 +252,8 @@ def numbered(table):
     """The matrix with the algorithms' numbers as heads, so that it fits a terminal, and what they stand for."""
     names = [c for c in table.columns if c not in ("family", "degrees", "pairs")]
     heads = {name: f"[{i}]" for i, name in enumerate(names, 1)}
-    return table.rename(columns=heads), fold("  ".join(f"{heads[name]} {name}" for name in names))
+    legend = fold("  ".join(f"{heads[name]}\u00a0{name}" for name in names))
+    return table.rename(columns=heads), legend.replace("\u00a0", " ")
 
 
 def is_timed(main, precision):
@@ -263,7 +267,8 @@ def print_summary(main):
         counts, legend = numbered(counts_matrix(main, precision))
         print(f"\n{precision}, all families together: pairs and their verdicts; solutions\n")
         print(aligned(shown(rows[columns])))
-        print(f"\n{precision}, by family: pairs right / solutions missed / extra\n{legend}\n\n{aligned(shown(counts))}")
+        about = fold(f"{precision}, by family: {COUNTS_TITLE.lower()}. {COUNTS_LEGEND}.")
+        print(f"\n{about}\n{legend}\n\n{aligned(shown(counts))}")
         if is_timed(main, precision):
             table, _ = numbered(short(matrix(main, precision)))
             about = fold(f"{precision}, by family, cubics where there are: {MATRIX_LEGEND}")
@@ -289,8 +294,7 @@ def make(quiet=False):
     write(main, "families", "Every algorithm on every family", f"{raw} and `results/raw/time-*`")
     write(summed(main, ["precision", "algorithm"]), "algorithms", "Every algorithm, all families together", raw)
     for precision in dict.fromkeys(main.precision):
-        title = f"Pairs right / solutions missed / extra, {precision}"
-        write(counts_matrix(main, precision), f"counts-{precision}", title, raw)
+        write(counts_matrix(main, precision), f"counts-{precision}", f"{COUNTS_TITLE}, {precision}", raw, COUNTS_LEGEND)
         if is_timed(main, precision):
             write(matrix(main, precision), f"times-{precision}", f"Time by family and algorithm, {precision}",
                   "`families.csv`", MATRIX_LEGEND)

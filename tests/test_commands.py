@@ -145,6 +145,12 @@ def test_external_programs():
     assert all("status 1" in row["message"] for row in failing)
 
 
+def test_missing_programs_are_no_answers():
+    for command in ("solve", "check", "time"):
+        shown = expect(fatline(command, "--external", "./no-such-program", text=CASE % "one"), 2, "no-such-program")
+        assert "INVALID" not in shown and "not timed" not in shown
+
+
 def test_external_programs_are_judged():
     """With no other algorithm beside them; a program that answers nothing is not taken for right."""
     text = "\n".join(CASE % name for name in ("one", "two"))
