@@ -139,7 +139,7 @@ JOBS ?= $(shell nproc)
 AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
-.PHONY: all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures \
+.PHONY: all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
         instructions against-lib2geom format clean help
 
 all: $(programs) ## build everything: build/fatline and its programs
@@ -160,6 +160,13 @@ reproduce: setup-reproduce ## set up, build, run the main job and print its tabl
 
 figures: ## draw results/figures/ from results/raw/
 	@$(PYTHON) scripts/figures.py
+	@$(PYTHON) scripts/convergence_figures.py
+
+claims: all ## measure every claim of scripts/claims.toml and write results/claims.md (5 minutes)
+	@$(PYTHON) scripts/claims.py
+
+claim-%: all
+	@$(PYTHON) scripts/claims.py '$*'
 
 instructions: all ## count the instructions of each algorithm under callgrind
 	@scripts/instructions

@@ -112,8 +112,8 @@ struct workspace {
     bool planned;
     const struct intersector *plan;
     int plan_n, plan_m;
-    /* Called in the watched build only: what happened to a cell; whether one just taken from the stack is to be
-     * dropped, for who watches a single solution. */
+    /* Called in the watched build only: what happened to a cell; whether one just taken from the stack is to
+     * be dropped, for who watches a single solution. */
     void (*watch)(void *log, enum event, const struct cell *);
     bool (*ignore)(void *log, const struct cell *);
     void *log;

@@ -63,9 +63,12 @@ def number_text(value):
 
 
 def read_claims(names):
-    """Every claim of the file, one a name in its values; those about what is not in the registry are left out."""
+    """Every claim of the file, one a name in its values; those about what is not in the registry are left out.  Last,
+    rows that figures need."""
     claims, left_out = [], []
-    for entry in tomllib.load(open(ROOT / "scripts/claims.toml", "rb"))["claim"]:
+    with open(ROOT / "scripts/claims.toml", "rb") as stream:
+        entries = tomllib.load(stream)
+    for entry in entries["claim"]:
         values = entry.get("values", {"": entry.get("value", math.nan)})
         for name, value in values.items():
             def fill(text):
@@ -79,7 +82,8 @@ def read_claims(names):
         if claim.id in seen:
             sys.exit(f"scripts/claims.toml: {claim.id}: twice")
         seen.add(claim.id)
-    return claims, left_out
+    rows = [Claim(r["id"], "", "", r["command"], "rows", math.nan, "", r) for r in entries["rows"]]
+    return claims, left_out, rows
 
 
 # ---- verdicts ----
@@ -106,6 +110,11 @@ def judge_order(claim):
     rows = [r for r in claim.rows if "law" in r and r.get("multiplicity") == claim.rules["mu"]]
     values = [r["per_round"] for r in rows if r["law"] in ("superlinear", "linear") and r["per_round"] is not None]
     return judge_values(values, len(rows), claim.value, claim.rules["within"] * claim.value)
+
+
+def judge_clips(claim):
+    rows = [r for r in claim.rows if "law" in r and r.get("multiplicity") == claim.rules["mu"]]
+    return judge_values([r["clips"] for r in rows if r["clips"]], len(rows), claim.value, 0, "g")
 
 
 def judge_linear(claim):
@@ -139,7 +148,7 @@ def judge_cost(claim):
 
 def judge_steps(claim):
     """The most steps of a case; a solve that ran out of steps counts with those it had."""
-    rows = [r for r in claim.rows if "steps" in r]
+    rows = [r for r in claim.rows if "steps" in r and r["boxes"] <= claim.rules.get("boxes", math.inf)]
     if not rows:
         return Measured("inconclusive", "-", 0, 0)
     most = max(r["steps"] for r in rows)
@@ -168,23 +177,44 @@ def judge_roots(claim):
     return judge_values(values, len(values), claim.value, claim.rules["within"] * claim.value)
 
 
-JUDGES = {"order": judge_order, "linear": judge_linear, "cost": judge_cost, "steps": judge_steps,
+JUDGES = {"order": judge_order, "clips": judge_clips, "linear": judge_linear, "cost": judge_cost, "steps": judge_steps,
           "lemma": judge_lemma, "roots": judge_roots}
 
 
 # ---- measuring ----
 
-def measure(claim):
+@dataclass
+class Job:
+    """One command, and the claims that its rows are read for."""
+
+    command: str
+    name: str  # of the file of rows: the first claim with this command
+    claims: list
+
+    def __str__(self):
+        return self.name
+
+
+def jobs_of(chosen, everything):
+    first = {}
+    for claim in everything:
+        first.setdefault(claim.command, claim.id)
+    return [Job(command, first[command], [c for c in chosen if c.command == command])
+            for command in dict.fromkeys(c.command for c in chosen)]
+
+
+def measure(job):
     """None, or why the command failed."""
     begun = time.monotonic()
-    path = f"{ROOT / 'build'}:{os.environ['PATH']}"
-    ended = run(["/bin/sh", "-c", claim.command], env={"PATH": path})
-    claim.seconds = time.monotonic() - begun
+    ended = run(["/bin/sh", "-c", job.command], env={"PATH": f"{ROOT / 'build'}:{os.environ['PATH']}"})
+    seconds = time.monotonic() - begun
     if ended.returncode != 0:
         return f"status {ended.returncode}: {ended.stderr.strip()[-500:]}"
     RAW.mkdir(parents=True, exist_ok=True)
-    (RAW / f"{claim.id}.jsonl").write_text(ended.stdout)
-    claim.rows = [json.loads(line) for line in ended.stdout.splitlines()]
+    (RAW / f"{job.name}.jsonl").write_text(ended.stdout)
+    rows = [json.loads(line) for line in ended.stdout.splitlines()]
+    for claim in job.claims:
+        claim.rows, claim.seconds = rows, seconds
     return None
 
 
@@ -232,7 +262,7 @@ def main():
     parser.add_argument("--list", action="store_true", help="name the claims")
     arguments = parser.parse_args()
     os.chdir(ROOT)
-    claims, left_out = read_claims(algorithms("multi"))
+    claims, left_out, rows = read_claims(algorithms("multi"))
     chosen = [c for c in claims if not arguments.ids or any(fnmatch.fnmatch(c.id, i) for i in arguments.ids)]
     if arguments.list:
         print("\n".join(c.id for c in chosen))
@@ -241,11 +271,18 @@ def main():
         print(f"no claim {' '.join(arguments.ids)}; scripts/claims.py --list names them", file=sys.stderr)
         return 64
     broken = 0
-    for claim, problem in run_all(chosen, lambda c: 1, "claims", WORKERS, measure):
+    everything = claims + rows
+    jobs = jobs_of(chosen if arguments.ids else everything, everything)
+    for job, problem in run_all(jobs, lambda j: 1, "claims", WORKERS, measure):
         if problem:
             broken += 1
-            print(f"{claim.id}: {problem}", file=sys.stderr)
+            print(f"{job.name}: {problem}", file=sys.stderr)
+    for claim in chosen:
         claim.measured = JUDGES[claim.kind](claim)
+    if not arguments.ids:
+        for path in RAW.glob("*.jsonl"):
+            if path.stem not in [j.name for j in jobs]:
+                path.unlink()
     different = [c for c in chosen if c.measured.verdict != c.verdict]
     if not arguments.ids:
         TABLE.write_text(table(chosen, left_out))
