@@ -36,16 +36,21 @@ struct bounds {
     real tolerance_t, tolerance_s; /* widths asked for in local parameters, 4 REAL_EPSILON to 1/16 */
 };
 
-struct crossings;
+/* The first three digits of a root, in parameters that run from 0 to 1 over each curve's domain. */
+struct known {
+    real t, s;
+};
 
 /* Where does f(t) = g(s)? */
 struct problem {
     struct curve f, g;
-    real tolerance;                /* width asked for, in both parameters */
-    int max_steps;                 /* > 0 */
-    struct bounds bounds;          /* of the prepared problem; callers leave it zero */
-    const struct crossings *known; /* NULL, but for `floor` */
-    bool keep_order;               /* the curves are not exchanged: for who measures single steps */
+    real tolerance;            /* width asked for, in both parameters */
+    int max_steps;             /* > 0 */
+    struct bounds bounds;      /* of the prepared problem; callers leave it zero */
+    const struct known *known; /* what `floor` is told; else NULL.  t of the f that the caller gave */
+    int known_count;
+    bool swapped;    /* of the prepared problem: f and g are exchanged */
+    bool keep_order; /* the curves are not exchanged: for who measures single steps */
 };
 
 /* CANDIDATE: could not be excluded.  UNIQUE: holds exactly one solution, proved.
@@ -81,8 +86,9 @@ struct crossings {
  * OUT_OF_STEPS, OUT_OF_ROOM: stopped early; what is undecided is among the records, wider than asked.
  * UNSUPPORTED: this algorithm does not take this problem (in this precision); no records.
  * INVALID: the problem is not one (degree, weights that are not positive or differ by more than 2^256,
- * tolerance, a value that is not finite); no records. */
-enum outcome { SOLVED, OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED, INVALID };
+ * tolerance, a value that is not finite); no records.
+ * GAVE_UP: other people's code says that it failed; CRASHED, TIMED_OUT: it had to be ended; no records. */
+enum outcome { SOLVED, OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED, INVALID, GAVE_UP, CRASHED, TIMED_OUT };
 
 /* Two pieces that may still meet: f over t, g over s (local parameters, in [0, 1]).  Their homogeneous
  * control points lie in the workspace: x[0..n], y[0..n] and, if the curve is rational, w[0..n], one after the
@@ -125,6 +131,8 @@ struct order {
     double contact_1, contact_2, contact_3, cusp;
 };
 
+struct foreign; /* peers/foreign.h */
+
 struct intersector {
     const char *name;      /* as typed and as tabulated */
     const char *summary;   /* one line for `fatline list` */
@@ -135,14 +143,18 @@ struct intersector {
     size_t (*scratch)(int n, int m); /* numbers of scratch memory needed; NULL: none */
     bool points_only; /* answers are points with a guessed width, without a proof that none is missing */
     bool allocates;   /* in a call: allowed in peers/ only */
+    const struct foreign *foreign; /* other people's code; NULL: ours */
 };
 
-/* The registry: NULL-terminated, in the order of list.h.  controls[] are deliberate mistakes, found by
- * their exact names only: negative controls for the tests. */
+/* The registry: NULL-terminated, in the order of list.h.  peers[] are other people's algorithms, those that
+ * are absent too (UNSUPPORTED whatever the problem); controls[] are deliberate mistakes, found by their exact
+ * names only: negative controls for the tests.  intersector_floor is the yardstick, floor.c. */
 extern const struct intersector *const intersectors[];
+extern const struct intersector *const peers[];
+extern const struct intersector *const intersector_floor;
 extern const struct intersector *const controls[];
 extern const struct intersector *const intersector_default;   /* for whoever asks for none by name */
-const struct intersector *intersector_find(const char *name); /* in either table; NULL if there is none */
+const struct intersector *intersector_find(const char *name); /* in any table; NULL if there is none */
 
 /* Bytes for curves of degree <= n, <= m, `room` waiting cells and `scratch` numbers. */
 size_t workspace_size(int n, int m, int room, size_t scratch);

@@ -24,6 +24,25 @@ INTERSECTOR(implicitization_cubic)
 INTERSECTOR(resultant_eigen)
 #endif
 
+/* Other people's, with their own tables in peers/peers.c; whatever is not installed is listed as absent. */
+#if !defined(FATLINE_QUAD) && !defined(FATLINE_MULTI)
+PEER(lyon_geom)
+PEER(lyon_geom_polished)
+PEER(lib2geom)
+PEER(lib2geom_polished)
+PEER(open_cascade)
+PEER(sisl)
+PEER(sisl_polished)
+PEER(cgal)
+PEER(paper)
+PEER(paper_polished)
+PEER(flo_bezier3)
+PEER(kld_intersections)
+PEER(kld_intersections_polished)
+PEER(bezier_js)
+PEER(bezier_js_polished)
+#endif
+
 CONTROL(control_discard_and)
 CONTROL(control_no_margin)
 CONTROL(control_normal_not_unit)
@@ -35,3 +54,4 @@ CONTROL(control_normal_not_unit)
 REGION_METHOD(region_carriers)
 REGION_METHOD(region_cutting)
 #endif
+#define INTERSECTOR_FLOOR newton_floor

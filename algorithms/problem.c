@@ -205,6 +205,7 @@ enum outcome problem_solve(const struct problem *p, const struct intersector *a,
         scale_both(p, e, swapped, w, &q);
     }
     w->swapped = swapped;
+    q.swapped = swapped;
     const struct interval first = q.f.domain, second = q.g.domain;
     q.f.domain = q.g.domain = whole;
     q.bounds.scale = extent * factor;
@@ -223,7 +224,8 @@ enum outcome problem_solve(const struct problem *p, const struct intersector *a,
 
 const char *outcome_name(enum outcome o)
 {
-    static const char *const names[] = {"SOLVED", "OUT_OF_STEPS", "OUT_OF_ROOM", "UNSUPPORTED", "INVALID"};
+    static const char *const names[] = {"SOLVED",  "OUT_OF_STEPS", "OUT_OF_ROOM", "UNSUPPORTED",
+                                        "INVALID", "GAVE_UP",      "CRASHED",     "TIMED_OUT"};
     return names[o];
 }
 

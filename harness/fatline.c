@@ -22,6 +22,8 @@ static const struct command {
     {"lemma", "measure the exponents and constants behind hybrid clipping", false},
     {"cost", "measure how steps grow as the tolerance falls", false},
     {"region", "where a control point may go without changing the sign of curvature", false},
+    {"doctor", "the same code against itself: how small a difference means something here", false},
+    {"compare", "two builds, or the rows of two runs: is anything slower?", false},
     {"repeat", "solve cases many times over, for profilers", false},
     {"roots", "measure the root finders of one variable", false},
 };

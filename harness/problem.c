@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,6 +79,34 @@ static void *allocate(size_t bytes)
     return memory;
 }
 
+/* The first three digits of (t - lo) / (hi - lo). */
+static real first_digits(const mpq_t t, const struct case_curve *c)
+{
+    mpq_t u, width;
+    double digits;
+
+    mpq_inits(u, width, NULL);
+    mpq_sub(u, t, c->lo);
+    mpq_sub(width, c->hi, c->lo);
+    mpq_div(u, u, width);
+    digits = floor(1000 * mpq_get_d(u) + 0.5);
+    mpq_clears(u, width, NULL);
+    return (real)(int)digits / 1000;
+}
+
+static void tell_roots(const struct test_case *c, struct owned_problem *p)
+{
+    if (!c->expected.known || !c->expected.count)
+        return;
+    p->known = (struct known *)allocate((size_t)c->expected.count * sizeof *p->known);
+    for (int i = 0; i < c->expected.count; i++) {
+        p->known[i].t = first_digits(c->expected.at[i].t, &c->f);
+        p->known[i].s = first_digits(c->expected.at[i].s, &c->g);
+    }
+    p->problem.known = p->known;
+    p->problem.known_count = c->expected.count;
+}
+
 const char *owned_problem_make(const struct test_case *c, real tolerance, int max_steps,
                                struct owned_problem *p)
 {
@@ -85,6 +114,7 @@ const char *owned_problem_make(const struct test_case *c, real tolerance, int ma
 
     memset(&p->problem, 0, sizeof p->problem);
     p->memory = NULL;
+    p->known = NULL;
     if (c->f.degree < 1 || c->f.degree > DEGREE_MAX)
         return "f.degree: out of range, expected 1 to 32";
     if (c->g.degree < 1 || c->g.degree > DEGREE_MAX)
@@ -95,6 +125,8 @@ const char *owned_problem_make(const struct test_case *c, real tolerance, int ma
         wrong = curve_make(&c->g, p->memory + coefficients(&c->f), &p->problem.g);
     if (wrong)
         owned_problem_clear(p);
+    if (!wrong)
+        tell_roots(c, p);
     p->problem.tolerance = tolerance;
     p->problem.max_steps = max_steps;
     return wrong;
@@ -103,7 +135,9 @@ const char *owned_problem_make(const struct test_case *c, real tolerance, int ma
 void owned_problem_clear(struct owned_problem *p)
 {
     free(p->memory);
+    free(p->known);
     p->memory = NULL;
+    p->known = NULL;
 }
 
 void workspace_make(struct workspace *w, const struct intersector *const *a, int n, int m, int room)

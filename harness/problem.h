@@ -6,10 +6,12 @@
 #include "../algorithms/bezier.h"
 #include "case.h"
 
-/* A problem and the memory of its coefficients. */
+/* A problem and the memory of its coefficients, and of what the yardstick is told of the roots, if they are
+ * known. */
 struct owned_problem {
     struct problem problem;
     real *memory;
+    struct known *known;
 };
 
 /* NULL, or why the case is not a problem in this precision (p then holds no memory): every coefficient x, y,

@@ -165,9 +165,15 @@ json_t *row_environment(int argc, char **argv, const char *precision)
     return row;
 }
 
+static char id[64];
+
+void row_continue_run(const char *other)
+{
+    snprintf(id, sizeof id, "%s", other ? other : "");
+}
+
 const char *row_run_id(void)
 {
-    static char id[64];
     if (!id[0]) {
         unsigned bits = 0;
         time_t now = time(NULL);

@@ -15,12 +15,13 @@ RAW = ROOT / "results/raw"
 TABLES = ROOT / "results/tables"
 MASS = ROOT / "build/mass"  # too many rows to keep
 VERDICTS = {"RIGHT": "right", "WRONG": "wrong", "STOPPED": "stopped", "NOT_TAKEN": "not_taken",
-            "UNJUDGED": "unjudged"}
+            "UNJUDGED": "unjudged", "BROKEN": "broken"}
 COUNTS = ["missed", "extra", "duplicate", "merged", "undecided"]
 SUMS = ["pairs", *VERDICTS.values(), "expected", "found", *COUNTS]
 KEY = ["family", "degrees", "algorithm", "precision"]
 TEXTS = [*KEY, "judge"]  # columns to the left
 PRECISIONS = ["double", "quad", "multi"]
+FLOOR = "floor"  # the yardstick, which every timing has
 
 
 def label(family, degrees):
@@ -129,7 +130,8 @@ def times():
 def by_family(checked, timed):
     """The main table."""
     if not timed.empty:
-        columns = [c for c in ("ns_median", "ns_lo", "ns_hi", "ns_max", "steps", "ratio", "ratio_lo", "ratio_hi")
+        columns = [c for c in ("ns_median", "ns_lo", "ns_hi", "ns_max", "steps", "ratio", "ratio_lo", "ratio_hi",
+                               "floor_ratio")
                    if c in timed]
         timed = timed.set_index(KEY)[["pairs", *columns]].rename(columns={"pairs": "timed_pairs"})
         checked = checked.join(timed, on=KEY)
@@ -161,7 +163,11 @@ def matrix(main, precision):
     rows["cell"] = rows.apply(cell, axis=1)
     places = list(dict.fromkeys(zip(rows.family, rows.degrees)))
     wide = rows.pivot(index=["family", "degrees"], columns="algorithm", values="cell")
-    return wide.reindex(index=places, columns=list(dict.fromkeys(rows.algorithm))).fillna("").reset_index()
+    wide = wide.reindex(index=places, columns=list(dict.fromkeys(rows.algorithm)))
+    if "floor_ratio" in rows:
+        wide[FLOOR] = (rows.ns_median / rows.floor_ratio / 1000).groupby([rows.family, rows.degrees]).median().map(
+            lambda us: "" if pd.isna(us) else significant(us))
+    return wide.fillna("").reset_index()
 
 
 def counts_matrix(main, precision):
@@ -187,7 +193,7 @@ COUNTS_LEGEND = "Pairs that are not right without a miss or an extra stopped ear
 MATRIX_LEGEND = (
     "median time of a pair in microseconds. *: some pairs stopped early, merged or not taken, which are not timed; "
     "N miss: N solutions missed; N extra: N claimed where there is none; N not: N pairs not right and none timed; "
-    "right: right but not timed; -: not taken at all")
+    "right: right but not timed; -: not taken at all; floor: the yardstick, which is told three digits of every root")
 
 
 def significant(value, digits=3):
