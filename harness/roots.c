@@ -13,13 +13,13 @@
 #include "row.h"
 #include "statistics.h"
 
-enum { ROOM = PLANTED_DEGREE_MAX + 1, WIDTHS_MAX = 4096, ACCURACIES_MAX = 64, DEGREES_MAX = 8 };
+enum { ROOM = PLANTED_DEGREE_MAX + 1, WIDTHS_MAX = 4096, ACCURACIES_MAX = 64, DEGREES_MAX = 8, DEFAULTS = 8 };
 
 struct request {
     bool rows;
     const char *finder;
-    int degrees, degree[DEGREES_MAX], accuracies,
-        accuracy[ACCURACIES_MAX]; /* -log2 of the widths asked for */
+    int degrees, degree[DEGREES_MAX];
+    int accuracies, accuracy[ACCURACIES_MAX]; /* -log2 of the widths asked for */
     int gap;
 };
 
@@ -256,8 +256,9 @@ int main(int argc, char **argv)
     static const struct argp argp = {options, parse, "", documentation, 0, 0, 0};
     struct request r = {false, NULL, 4, {2, 4, 8, 16}, 0, {7, 14, 28, 50, 100, 250, 500, 1000}, 20};
     argp_parse(&argp, argc, argv, 0, NULL, &r);
-    for (; r.accuracies < 8 && r.accuracy[r.accuracies] < REAL_BITS; r.accuracies++)
-        ;
+    if (!r.accuracies)
+        while (r.accuracies < DEFAULTS && r.accuracy[r.accuracies] < REAL_BITS)
+            r.accuracies++;
     if (r.rows)
         row_write(stdout, row_environment(argc, argv, REAL_NAME));
     else

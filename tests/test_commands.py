@@ -95,6 +95,24 @@ def test_two_curves_in_one_line():
     assert lo <= 0.7071067811865476 <= hi + 1e-16 and hi - lo <= 1e-12, row
 
 
+def test_roots():
+    measured = rows(expect(fatline("roots", "--rows", "--degree", "4,8", "--accuracy", "7,14,20"), 0))
+    assert "environment" in measured.pop(0)
+    assert len(measured) == 4 * 2 * 3 * (1 + 3)  # kinds, degrees, finders; an order and three accuracies
+    for finder in ("hull", "quadratic", "cubic"):
+        clips = [row["clips"] for row in measured if row["finder"] == finder and row["row"] == "cost"
+                 and (row["roots"], row["degree"]) == ("double", 8)]
+        assert len(clips) == 3 and clips == sorted(clips) and clips[-1] > 1
+    linear, = (row for row in measured if row["row"] == "order" and row["finder"] == "hull"
+               and (row["roots"], row["degree"]) == ("double", 8))
+    assert linear["law"] == "linear" and abs(linear["per_clip"] - 1) < 0.05
+    assert all(row["law"] == "too_few" and row["per_clip"] is None for row in measured
+               if row["row"] == "order" and row["points"] < 2)
+    assert "quadratic" in expect(fatline("roots", "--degree", "2", "--finder", "quadratic"), 0)
+    for wrong in (["--finder", "newton"], ["--degree", "0"], ["--degree", "33"], ["--accuracy", "7,,8"], ["file"]):
+        expect(fatline("roots", *wrong), 64)
+
+
 def test_bad_lines():
     lines = [CASE % "a", "", "{}", CASE % "b", '{"id":"c","f":{"points":[[0,0]]}}', CASE % "d"]
     text = "\n".join(lines)

@@ -160,28 +160,31 @@ static double step_width(int k, int j)
     return log2_of(real_max(box.t.hi - box.t.lo, box.s.hi - box.s.lo) * h);
 }
 
-/* Curves of degree 5 and 6 that cross: h^(k+1) is left of h, for polynomial and rational ones. */
+/* Curves of degree 5 and 6 that cross, polynomial and rational: h^(k+1) is left of h, seen between short arcs
+ * and rounding. */
 static void test_order(void **state)
 {
     (void)state;
     int measured = 0;
-    if (REAL_BITS < 1000)
-        skip();
+    const double allowed = REAL_BITS > 1000 ? 0.03 : REAL_BITS > 53 ? 0.08 : 0.25;
     for (int i = 0; i < 8; i++)
         for (int k = 1; k <= 3; k++) {
             struct random_state r = random_for(1, "order", (uint64_t)i);
+            int last = (REAL_BITS - 10) / (k + 1), first;
+            last = last < 150 ? last : 150;
+            first = last - (last + 1) / 3;
             do
                 planted_make(&pair, &r, 5, 6, i % 2);
             while (!(pair.t > 0 && pair.t < 1 && pair.s > 0 && pair.s < 1));
-            double wide = step_width(k, 75), narrow = step_width(k, 150);
-            if (wide == 0)
+            double wide = step_width(k, first), narrow = step_width(k, last);
+            if (wide == 0 || narrow == 0)
                 continue;
-            double order = (wide - narrow) / 75;
+            double order = (wide - narrow) / (last - first);
             measured++;
-            if (!(fabs(order - (k + 1)) <= 0.03 * (k + 1)))
+            if (!(fabs(order - (k + 1)) <= allowed * (k + 1)))
                 fail_msg("pair %d, degree %d: order %.3f", i, k, order);
         }
-    assert_true(measured > 20);
+    assert_true(measured > 12);
 }
 
 /* As an algorithm: the crossings of random curves come back as records proved unique. */

@@ -211,13 +211,17 @@ static double order_of(const struct root_finder *f, enum planted_kind kind, int 
 }
 
 /* Orders 2, 3, 4 at a simple root; 3/2 and 2 at a double, 4/3 at a triple one by quadratic and cubic
- * clipping.  Elsewhere convergence is linear: 1. */
+ * clipping.  Elsewhere convergence is linear: 1.  In less than 2,048 bits there are few widths, or too few.
+ */
 static void check_order(int k, enum planted_kind kind, int n)
 {
     static const double theory[3][3] = {{2, 3, 4}, {1, 1.5, 2}, {1, 1, 4.0 / 3}};
     int clips;
     double order = order_of(root_finders[k], kind, n, &clips), most = theory[kind][k];
-    if (most > 1 ? !(fabs(order - most) <= 0.03 * most) : clips < 300)
+    const double allowed = REAL_BITS > 1000 ? 0.03 : 0.2;
+    if (REAL_BITS < 1000 && most > 1 && order == 0)
+        return;
+    if (most > 1 ? !(fabs(order - most) <= allowed * most) : clips < REAL_BITS / 8)
         fail_msg("%s, %s root, degree %d: order %.3f in %d clips, theory %.3f", root_finders[k]->name,
                  planted_kind_name(kind), n, order, clips, most);
 }
@@ -225,8 +229,6 @@ static void check_order(int k, enum planted_kind kind, int n)
 static void test_order(void **state)
 {
     (void)state;
-    if (REAL_BITS < 1000)
-        skip();
     for (int k = 0; k < 3; k++)
         for (int kind = SIMPLE_ROOT; kind <= TRIPLE_ROOT; kind++)
             for (int n = 8; n <= 16; n *= 2)

@@ -3,8 +3,11 @@
  * Theorem.  Let a and b be arcs over u, v in [-1, 1], with coordinates X along and Y across a direction.
  * Suppose that polynomials A, B are within d_X and d_Y of them in these coordinates, that sigma is any
  * polynomial, |X_B(sigma(u)) - X_A(u)| <= rho on [-1, 1], and X_B' >= L > 0 on an interval that holds [-1, 1]
- * and the values of sigma.  If the arcs meet at (u, v), then |v - sigma(u)| <= eta = (rho + d_X) / L, |Y_A(u)
- * - Y_B(sigma(u))| <= eta max |Y_B'| + d_Y. Proof.  |X_B(v) - X_A(u)| <= d_X, so |X_B(v) - X_B(sigma(u))| <=
+ * and the values of sigma.  If the arcs meet at (u, v), then
+ *
+ *     |v - sigma(u)| <= eta = (rho + d_X) / L,  |Y_A(u) - Y_B(sigma(u))| <= eta max |Y_B'| + d_Y.
+ *
+ * Proof.  |X_B(v) - X_A(u)| <= d_X, so |X_B(v) - X_B(sigma(u))| <=
  * rho + d_X, and the mean value theorem gives eta; |Y_A(u) - Y_B(v)| <= d_Y and the mean value theorem for
  * Y_B give the other.
  *
@@ -13,7 +16,7 @@
  * multiplicity mu where b is regular, the gap Y_A - Y_B(sigma) vanishes to order mu in t, whether a is
  * regular there (contact of order mu) or not (cusp): the gap is the composition of the local equation of b's
  * branch with a, which is how the multiplicity is defined.  So what is kept satisfies c |t - t0|^mu <= C
- * h^(k+1), c > 0: the next length is O(h^((k+1)/mu)).
+ * h^(k+1), c > 0: the next length is O(h^((k+1)/mu)). Where k + 1 <= mu, halving sets the pace.
  *
  * Relatives.  Fat arcs: bounds of third order on both curves (Sederberg, White, Zundel, Fat arcs, 1989). Best
  * approximation and inversion of a band in one variable (Barton, Juttler, Computing roots of polynomials by
