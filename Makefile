@@ -156,7 +156,7 @@ all: $(programs) peers-found ## build everything: build/fatline and its programs
 
 tests: $(programs) peers-found build/slower/double/fatline-passes $(tests_double) $(tests_others) ## build everything and the tests
 
-check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (4 minutes)
+check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (6 minutes)
 	$(AFTER_SETUP) tests
 	@$(PYTHON) tests/run --cases $(CASES)
 
