@@ -25,7 +25,7 @@ COMMON_MODULES = case case_fields case_expected number random row exact exact_po
 REAL_MODULES   = real_text problem answer judge judge_groups judge_curves judge_overlaps check_options check_case check_table check_worker algorithms_named external solve_options answer_table clock case_set timing timing_rows time_options
 COMMON_EXTRA   = progress statistics
 
-ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c)
+ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c algorithms/intersect/*/*.c)
 ALGORITHMS_double := $(ALGORITHMS) $(wildcard algorithms/peers/*.c)
 ALGORITHMS_quad  := $(ALGORITHMS)
 ALGORITHMS_multi := $(ALGORITHMS)

@@ -10,6 +10,7 @@ INTERSECTOR(hybrid_clipping_1_arc)
 INTERSECTOR(hybrid_clipping_2_arc)
 INTERSECTOR(hybrid_clipping_3_arc)
 INTERSECTOR(implicitization)
+INTERSECTOR(certified)
 #if !defined(FATLINE_QUAD) && !defined(FATLINE_MULTI)
 INTERSECTOR(resultant_eigen)
 #endif

@@ -1,0 +1,290 @@
+/* Every crossing proved, every contact resolved or owned up to.
+ *
+ * Pairs of nodes, halved where they may meet.  A pair is closed as soon as something proves what it holds:
+ *
+ * - octagons apart: nothing (nodes.c);
+ * - all directions cross all others the same way: at most one solution, decided, found and proved by Newton's method on
+ *   the extended pair (cone.c, solve_one.c, ends.c);
+ * - strips along the chords apart: nothing; arcs side by side that turn differently: none, two, or a contact (graphs.c,
+ *   contact.c); a derivative of the gap of one sign: at most so many (cluster.c);
+ * - a shared arc (overlap.c).
+ *
+ * Where rounding hides what is there, the place is cut again with twice the digits (zoom.c).  What is still open when
+ * both parameters are as narrow as asked is a CANDIDATE.  Every pair that leaves the stack is empty, or its solutions lie
+ * in records: so do all. */
+#include "graphs.h"
+
+/* ---- memory: one block of scratch, laid out by the degrees ---- */
+
+static size_t numbers_for(size_t bytes)
+{
+    return bytes / sizeof(real) + 2;
+}
+
+static int node_stride(int n)
+{
+    return 7 * n + 1; /* 3 (n + 1) coordinates, 2 (2 n - 1) of directions */
+}
+
+static size_t level_length(int n, int m)
+{
+    return 2 * (size_t)(n + 1 + m + 1) + source_length(n) + source_length(m);
+}
+
+static size_t scratch(int n, int m)
+{
+    return 2 * numbers_for(NODES_MAX * sizeof(struct node)) + numbers_for(PAIRS_MAX * sizeof(struct pair)) +
+           (size_t)NODES_MAX * (size_t)(node_stride(n) + node_stride(m)) + LEVELS_MAX * level_length(n, m);
+}
+
+static real *take(real **at, size_t numbers)
+{
+    real *taken = *at;
+    *at += numbers;
+    return taken;
+}
+
+static void tree_init(struct tree *tree, int n, real **at)
+{
+    tree->used = 0;
+    tree->spare = 0;
+    tree->stride = node_stride(n);
+    tree->node = (struct node *)(void *)take(at, numbers_for(NODES_MAX * sizeof(struct node)));
+    tree->numbers = take(at, (size_t)NODES_MAX * (size_t)tree->stride);
+}
+
+static void solver_init(struct solver *z, const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    int n = p->f.degree, m = p->g.degree;
+    real *at = w->scratch;
+    z->p = p;
+    z->w = w;
+    z->out = out;
+    z->outcome = SOLVED;
+    tree_init(&z->f, n, &at);
+    tree_init(&z->g, m, &at);
+    z->pair = (struct pair *)(void *)take(&at, numbers_for(PAIRS_MAX * sizeof(struct pair)));
+    z->level_stride = level_length(n, m);
+    z->level_numbers = at;
+    z->levels = z->pairs = z->solved = 0;
+    z->next_look = 96;
+}
+
+/* ---- level 0 ---- */
+
+/* A rational curve's homogeneous coordinates came rounded. */
+static void source_of(const struct curve *c, real scale, real node_error, struct source *out)
+{
+    out->n = c->degree;
+    out->rational = c->w != NULL;
+    out->points = c->x;
+    out->error = c->w ? REAL_EPSILON * scale : (real)0;
+    out->node_error = node_error;
+}
+
+static int root_make(struct tree *tree, const struct source *c)
+{
+    int k = node_new(tree), length = (c->rational ? 3 : 2) * (c->n + 1);
+    struct node *root = &tree->node[k];
+    for (int i = 0; i < length; i++) {
+        root->points[i] = c->points[i];
+    }
+    root->way = root->points + length;
+    node_root(c, root);
+    return k;
+}
+
+/* false: the octagons are apart */
+static bool begin(struct solver *z)
+{
+    const struct problem *p = z->p;
+    struct level *v = &z->level[0];
+    real scale = real_max(p->bounds.scale, (real)1);
+    v->scale = scale;
+    v->t.lo = v->s.lo = 0;
+    v->t.hi = v->s.hi = 1;
+    source_of(&p->f, scale, p->bounds.f, &v->f);
+    source_of(&p->g, scale, p->bounds.g, &v->g);
+    int f = root_make(&z->f, &v->f), g = root_make(&z->g, &v->g);
+    if (!nodes_meet(&z->f.node[f], &z->g.node[g])) {
+        return false;
+    }
+    source_init(&v->f, scale, z->level_numbers);
+    source_init(&v->g, scale, z->level_numbers + source_length(v->f.n));
+    z->levels = 1;
+    return pair_push(z, 0, f, g, 0);
+}
+
+/* ---- the stack ---- */
+
+static void accept(struct solver *z, const struct pair *at)
+{
+    const struct level *v = &z->level[at->level];
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    struct crossing c = {level_t(v, f->lo, f->hi), level_s(v, g->lo, g->hi), CANDIDATE, 0, 0};
+    if (c.t.hi - c.t.lo > z->p->bounds.tolerance_t || c.s.hi - c.s.lo > z->p->bounds.tolerance_s) {
+        z->outcome = z->outcome == SOLVED ? OUT_OF_STEPS : z->outcome;
+    }
+    crossings_add(z->out, &c);
+}
+
+/* false: there is no room, and the pair has become a record */
+bool pair_push(struct solver *z, int level, int f, int g, int rest)
+{
+    struct pair at = {f, g, level, rest};
+    if (z->pairs == PAIRS_MAX) {
+        z->outcome = OUT_OF_ROOM;
+        accept(z, &at);
+        return false;
+    }
+    z->pair[z->pairs++] = at;
+    return true;
+}
+
+/* ---- one pair ---- */
+
+static bool narrow_t(const struct solver *z, const struct level *v, const struct node *f)
+{
+    return (v->t.hi - v->t.lo) * (f->hi - f->lo) <= z->p->bounds.tolerance_t;
+}
+
+static bool narrow_s(const struct solver *z, const struct level *v, const struct node *g)
+{
+    return (v->s.hi - v->s.lo) * (g->hi - g->lo) <= z->p->bounds.tolerance_s;
+}
+
+static real extent(const struct node *a)
+{
+    return real_max(a->high[0] - a->low[0], a->high[1] - a->low[1]);
+}
+
+/* No more than rounding is left of it. */
+static bool is_speck(const struct source *c, const struct node *a)
+{
+    return extent(a) <= 6 * c->node_error;
+}
+
+/* Halves the arc that is farther from straight. */
+static void split(struct solver *z, const struct pair *at)
+{
+    const struct level *v = &z->level[at->level];
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    bool done_f = narrow_t(z, v, f) || is_speck(&v->f, f), done_g = narrow_s(z, v, g) || is_speck(&v->g, g);
+    if (done_f && done_g) {
+        accept(z, at);
+        return;
+    }
+    bool of_f = f->bend != g->bend ? f->bend > g->bend : extent(f) >= extent(g);
+    of_f = done_f ? false : done_g ? true : of_f;
+    int first = of_f ? node_split(&z->f, &v->f, at->f) : node_split(&z->g, &v->g, at->g);
+    if (!first) {
+        z->outcome = OUT_OF_ROOM;
+        accept(z, at);
+        return;
+    }
+    int rest = at->rest > 0 ? at->rest - 1 : 0;
+    for (int k = 1; k >= 0; k--) {
+        const struct node *a = of_f ? &z->f.node[first + k] : f, *b = of_f ? g : &z->g.node[first + k];
+        if (nodes_meet(a, b)) {
+            pair_push(z, at->level, of_f ? first + k : at->f, of_f ? at->g : first + k, rest);
+        }
+    }
+}
+
+/* Arcs with parallel directions. */
+static enum verdict settle_beside(struct solver *z, struct pair *at)
+{
+    const struct level *v = &z->level[at->level];
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    struct graphs h;
+    if (strips_apart(v, f, g)) {
+        return CLOSED;
+    }
+    if (at->rest > 0 || f->wide || g->wide || !graphs_init(v, f, g, &h)) {
+        return OPEN;
+    }
+    if (h.apart || contact_settle(z, at->level, f, g, &h) == CLOSED) {
+        return CLOSED;
+    }
+    at->rest = 2;
+    return OPEN;
+}
+
+static enum verdict settle(struct solver *z, struct pair *at)
+{
+    const struct level *v = &z->level[at->level];
+    struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    if (z->solved > 0) {
+        struct interval t = level_t(v, f->lo, f->hi), s = level_s(v, g->lo, g->hi);
+        if (is_solved(z, at->level, &t, &s)) {
+            return CLOSED;
+        }
+    }
+    node_prepare(&v->f, f);
+    node_prepare(&v->g, g);
+    real c = cone_gap(f, g);
+    if (c > 0) {
+        struct zero x;
+        enum search search = solve_one(v, f, g, c, &x);
+        if (search == NO_ZERO || (search == ZERO && zero_settle(z, at->level, f, g, &x) == CLOSED)) {
+            return CLOSED;
+        }
+        return OPEN;
+    }
+    return settle_beside(z, at);
+}
+
+/* Levels above `level` have no pairs left: what they stood for is settled. */
+static void levels_drop(struct solver *z, int level)
+{
+    for (int i = 0; i < z->solved && i < SOLVED_MAX; i++) {
+        if (z->solved_at[i].level > level) {
+            z->solved_at[i].level = 0;
+        }
+    }
+    z->levels = level + 1;
+}
+
+static bool is_crowded(const struct tree *tree)
+{
+    return !tree->spare && tree->used + 8 >= NODES_MAX;
+}
+
+static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    struct solver z;
+    solver_init(&z, p, w, out);
+    if (!begin(&z)) {
+        return SOLVED;
+    }
+    while (z.pairs > 0) {
+        if (is_crowded(&z.f) || is_crowded(&z.g)) {
+            nodes_collect(&z);
+        }
+        struct pair at = z.pair[--z.pairs];
+        if (at.level + 1 < z.levels) {
+            levels_drop(&z, at.level);
+        }
+        if (w->steps >= p->max_steps) {
+            z.outcome = OUT_OF_STEPS;
+            accept(&z, &at);
+            continue;
+        }
+        w->steps++;
+        if (settle(&z, &at) == OPEN) {
+            split(&z, &at);
+        }
+    }
+    return z.outcome;
+}
+
+extern const struct intersector certified;
+const struct intersector certified = {
+    .name = "certified",
+    .summary = "every crossing proved by cross products, every contact resolved or owned up to",
+    .reference = "this project; T. Sederberg and R. Meyers, Loop detection in surface patch intersections, 1988, for curves",
+    .claimed = {2, 0, 0, 0},
+    .intersect = intersect,
+    .scratch = scratch,
+    .points_only = false,
+};

@@ -1,0 +1,175 @@
+/* What the files of the certified algorithm share.
+ *
+ * A *level* is a pair of curves over a part of the problem's parameters: level 0 is the problem itself; a deeper one
+ * is a small part of it, cut with twice the digits, moved to the origin and enlarged (zoom.c), so that rounding is
+ * small against that part.  A curve of a level is a *source*; it is halved into a binary tree of *nodes*; a *pair* of
+ * nodes waits on a stack until it is *closed*: every solution in it is in some record.
+ *
+ * "Local" parameters are those of a level, [0, 1]; "own" ones those of a node, [0, 1] too.  u = REAL_EPSILON / 2. */
+#ifndef FATLINE_CERTIFIED_H
+#define FATLINE_CERTIFIED_H
+
+#include "../../bezier.h"
+#include "../../crossings.h"
+
+enum {
+    LEVELS_MAX = 4,
+    NODES_MAX = 256, /* of each curve at a time */
+    PAIRS_MAX = 1024,
+    SOLVED_MAX = 64
+};
+
+/* A curve of a level.  A point of the exact curve is its exact point at the same parameter.  Errors hold for each
+ * Euclidean coordinate. */
+struct source {
+    int n;
+    bool rational;
+    const real *points; /* homogeneous: x[0..n], y[0..n], and if rational w[0..n] */
+    real *value;        /* the same times C(n, i) */
+    real *slope;        /* of the derivative: n (c[i+1] - c[i]) C(n-1, i), n for each component */
+    real error;         /* of points */
+    real node_error;    /* of the points of a node */
+    real noise;         /* of source_at, point: for parameters in [0, 1] */
+    real slope_noise;   /* of source_at, derivative */
+};
+
+/* The part of a source over [lo, hi].  Directions: f' = pace (convex combination of the directions) by the own
+ * parameter, pace in [pace_lo, pace_hi]; those of a polynomial curve are its control differences with pace = n, those
+ * of a rational one the Bernstein coefficients of (X'W - XW', Y'W - YW') / n with pace = n / W^2. */
+struct node {
+    real lo, hi;
+    real low[4], high[4];  /* of x, y, x + y, x - y: the exact arc lies between */
+    real *points;
+    int ways;              /* number of directions */
+    real *way;             /* x[0..ways-1], y[0..ways-1] */
+    real error;            /* of a coordinate of a direction */
+    real speed;            /* no exact direction is longer in the 1-norm */
+    real bend;             /* no coordinate of f'' is larger, by the own parameter */
+    real pace_lo, pace_hi;
+    int child;             /* the first of two halves, the other is next to it; 0: none yet */
+    int halved;            /* midpoint halvings since the last cut from the source */
+    bool ready;            /* what follows `points` is made */
+    bool wide;             /* some directions may point back along the chord */
+};
+
+/* The nodes of one curve: a pool with a free list of sibling pairs. */
+struct tree {
+    int used;       /* so many have been in use */
+    int spare;      /* first of a free pair of siblings, linked by child; 0: none */
+    int stride;     /* numbers of a node: points, then directions */
+    real *numbers;
+    struct node *node;
+};
+
+struct level {
+    struct source f, g;
+    struct interval t, s; /* of the problem's parameters */
+    real scale;           /* max |coordinate| of both, at least 1 */
+};
+
+struct pair {
+    int f, g;
+    int level;
+    int rest; /* splits to wait before another look for contacts */
+};
+
+/* Parameters of the problem; every solution inside has been reported. level: while pairs of this level wait, it
+ * is not so for them; 0: none do. */
+struct rectangle {
+    struct interval t, s;
+    int level;
+};
+
+struct solver {
+    const struct problem *p;
+    struct workspace *w;
+    struct crossings *out;
+    enum outcome outcome;
+    struct tree f, g;
+    int levels, pairs, solved;
+    struct level level[LEVELS_MAX];
+    real *level_numbers;
+    size_t level_stride;
+    struct pair *pair;
+    struct rectangle solved_at[SOLVED_MAX];
+    int next_look; /* steps before overlaps are looked for (again) */
+};
+
+/* CLOSED: every solution of the pair is in some record.  OPEN: nothing is known. */
+enum verdict { OPEN, CLOSED };
+
+/* ---- nodes.c ---- */
+
+/* Makes the derived fields of c from n, rational, points, error; numbers: source_length(n) of them. */
+void source_init(struct source *c, real scale, real *numbers);
+size_t source_length(int n);
+/* Cuts `to` from c over [lo, hi]; to->points and to->way are the caller's. */
+void node_cut(const struct source *c, real lo, real hi, struct node *to);
+/* The whole of c, whose points have been copied. */
+void node_root(const struct source *c, struct node *to);
+/* Directions and what depends on them; each node once. */
+void node_prepare(const struct source *c, struct node *to);
+int node_new(struct tree *tree); /* first of two siblings; 0: no memory */
+/* The first half of node k, or 0 if there is no memory; it may have been made before. */
+int node_split(struct tree *tree, const struct source *c, int k);
+/* Frees all nodes that no waiting pair needs. */
+void nodes_collect(struct solver *z);
+
+static inline bool nodes_meet(const struct node *a, const struct node *b)
+{
+    return !((a->low[0] > b->high[0]) | (b->low[0] > a->high[0]) | (a->low[1] > b->high[1]) |
+             (b->low[1] > a->high[1]) | (a->low[2] > b->high[2]) | (b->low[2] > a->high[2]) |
+             (a->low[3] > b->high[3]) | (b->low[3] > a->high[3]));
+}
+
+/* ---- cone.c ---- */
+
+/* c > 0: the cross products of every exact direction of f with every one of g have the same sign, and none is
+ * smaller than c; 0: that is not proved. */
+real cone_gap(const struct node *f, const struct node *g);
+
+/* ---- solve_one.c ---- */
+
+/* Local parameters of a zero of the pair of nodes, extended linearly past their ends: it is within rt, rs. */
+struct zero {
+    real t, s, rt, rs;
+};
+
+/* For nodes with cone_gap c > 0.  NO_ZERO: the extended zero is outside the nodes. */
+enum search { STUCK, NO_ZERO, ZERO };
+enum search solve_one(const struct level *v, const struct node *f, const struct node *g, real c, struct zero *out);
+
+/* ---- ends.c ---- */
+
+/* Settles a pair with cone_gap > 0 and the given zero. */
+enum verdict zero_settle(struct solver *z, int level, const struct node *f, const struct node *g,
+                         const struct zero *x);
+/* Looks for a single zero in (x->t +- wt) x (x->s +- ws), local parameters.  ZERO: there is one, at *found, and it has been
+ * reported.  NO_ZERO: there is none.  STUCK: nothing is proved.  Smaller rectangles are tried in turn, but all more
+ * than twice as large as x's own. */
+enum search zero_prove(struct solver *z, int level, const struct zero *x, real wt, real ws, struct zero *found);
+/* Every solution of the pair at hand lies within (rt, rs) of (t, s), at most `at_most` with multiplicity: a look
+ * closer, or a CLUSTER. */
+enum verdict region_settle(struct solver *z, int level, const struct zero *x, int at_most);
+
+/* ---- zoom.c ---- */
+
+/* A level over [t - rt, t + rt] x [s - rs, s + rs] of level `from`, or a little more, pushed as a pair; false if there
+ * is no memory, or nothing gained. */
+bool zoom(struct solver *z, int from, const struct zero *x);
+
+/* ---- overlap.c ---- */
+
+/* Looks for a shared arc; true: one was added to the records. */
+bool overlap_find(struct solver *z);
+
+/* ---- certified.c ---- */
+
+bool pair_push(struct solver *z, int level, int f, int g, int rest);
+/* From local parameters of a level to the problem's. */
+struct interval level_t(const struct level *v, real lo, real hi);
+struct interval level_s(const struct level *v, real lo, real hi);
+bool is_solved(const struct solver *z, int level, const struct interval *t, const struct interval *s);
+void solved_add(struct solver *z, const struct interval *t, const struct interval *s, int level);
+
+#endif
