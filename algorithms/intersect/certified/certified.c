@@ -28,7 +28,7 @@ static int node_stride(int n)
 
 static size_t level_length(int n, int m)
 {
-    return 2 * (size_t)(n + 1 + m + 1) + source_length(n) + source_length(m);
+    return 3 * (size_t)(n + 1 + m + 1) + source_length(n) + source_length(m);
 }
 
 static size_t scratch(int n, int m)
@@ -191,23 +191,28 @@ static void split(struct solver *z, const struct pair *at)
     }
 }
 
-/* Arcs with parallel directions. */
+/* Arcs with parallel directions.  Looks for contacts rest for two splits when they fail. */
 static enum verdict settle_beside(struct solver *z, struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    const real small = (real)1 / 16;
     struct graphs h;
     if (strips_apart(v, f, g)) {
         return CLOSED;
     }
-    if (at->rest > 0 || f->wide || g->wide || !graphs_init(v, f, g, &h)) {
+    if (at->rest > 0 || (f->wide && g->wide)) {
         return OPEN;
     }
-    if (h.apart || contact_settle(z, at->level, f, g, &h) == CLOSED) {
+    bool graphs = !f->wide && !g->wide && graphs_init(v, f, g, &h);
+    if (graphs && (h.apart || contact_settle(z, at->level, f, g, &h) == CLOSED)) {
         return CLOSED;
     }
     at->rest = 2;
-    return OPEN;
+    if (at->level == 0 && (f->hi - f->lo) * (g->hi - g->lo) > small) {
+        return OPEN;
+    }
+    return cluster_settle(z, at->level, f, g);
 }
 
 static enum verdict settle(struct solver *z, struct pair *at)
@@ -271,6 +276,10 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
             continue;
         }
         w->steps++;
+        if (at.level > 0 && --z.level[at.level].steps < 0) {
+            level_give_up(&z);
+            continue;
+        }
         if (settle(&z, &at) == OPEN) {
             split(&z, &at);
         }

@@ -65,6 +65,9 @@ struct level {
     struct source f, g;
     struct interval t, s; /* of the problem's parameters */
     real scale;           /* max |coordinate| of both, at least 1 */
+    /* Of a level above 0: the record it stands for if it takes too long, what there was before it, and steps left. */
+    struct crossing otherwise;
+    int records, pairs, steps;
 };
 
 struct pair {
@@ -148,15 +151,18 @@ enum verdict zero_settle(struct solver *z, int level, const struct node *f, cons
  * reported.  NO_ZERO: there is none.  STUCK: nothing is proved.  Smaller rectangles are tried in turn, but all more
  * than twice as large as x's own. */
 enum search zero_prove(struct solver *z, int level, const struct zero *x, real wt, real ws, struct zero *found);
-/* Every solution of the pair at hand lies within (rt, rs) of (t, s), at most `at_most` with multiplicity: a look
- * closer, or a CLUSTER. */
-enum verdict region_settle(struct solver *z, int level, const struct zero *x, int at_most);
+/* Every solution of the pair lies in the region x, at most `at_most` with multiplicity: a look closer, or a CLUSTER. */
+enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
+                           const struct zero *x, int at_most);
 
 /* ---- zoom.c ---- */
 
-/* A level over [t - rt, t + rt] x [s - rs, s + rs] of level `from`, or a little more, pushed as a pair; false if there
- * is no memory, or nothing gained. */
-bool zoom(struct solver *z, int from, const struct zero *x);
+/* A level over the region x of level `from`, or a little more, pushed as a pair; false if there is no memory, or it would
+ * not be smaller by the factor `shorter` in either parameter.  at_most: what is proved of the region, if what is found there
+ * takes too long; 0: nothing. */
+bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const struct crossing *otherwise);
+/* Pairs of the last level took too many steps: they and what they found give way to the record `otherwise`. */
+void level_give_up(struct solver *z);
 
 /* ---- overlap.c ---- */
 

@@ -183,7 +183,21 @@ enum verdict zero_settle(struct solver *z, int level, const struct node *f, cons
 
 /* ---- several ---- */
 
-enum verdict region_settle(struct solver *z, int level, const struct zero *x, int at_most)
+/* Is x, cut off at the ends of the level, within the node? */
+static bool inside(const struct node *a, real x, real radius)
+{
+    return (a->lo == 0 || x - radius >= a->lo) && (a->hi == 1 || x + radius <= a->hi);
+}
+
+static bool is_cut(const struct interval *span, real x, real radius)
+{
+    return (span->lo > 0 && x - radius < 0) || (span->hi < 1 && x + radius > 1);
+}
+
+/* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if not, a level with
+ * it in its middle is made. */
+enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
+                           const struct zero *x, int at_most)
 {
     const struct level *v = &z->level[level];
     struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
@@ -192,11 +206,19 @@ enum verdict region_settle(struct solver *z, int level, const struct zero *x, in
     if (t.lo > t.hi || s.lo > s.hi || is_solved(z, level, &t, &s)) {
         return CLOSED;
     }
+    bool whole = inside(f, x->t, x->rt) && inside(g, x->s, x->rs) && !is_cut(&v->t, x->t, x->rt) &&
+                 !is_cut(&v->s, x->s, x->rs);
     bool narrow = t.hi - t.lo <= z->p->bounds.tolerance_t && s.hi - s.lo <= z->p->bounds.tolerance_s;
-    if ((level == 0 || !narrow) && zoom(z, level, x)) {
-        return CLOSED;
+    struct crossing c = {t, s, whole ? CLUSTER : CANDIDATE, whole ? at_most : 0, 0};
+    const real shorter = (real)1 / 16;
+    if (level == 0 || !narrow || !whole) {
+        if (zoom(z, level, x, whole ? shorter : (real)1, &c)) {
+            return CLOSED;
+        }
     }
-    struct crossing c = {t, s, CLUSTER, at_most, 0};
+    if (!whole && !narrow) {
+        return OPEN;
+    }
     crossings_add(z->out, &c);
     solved_add(z, &t, &s, 0);
     return CLOSED;

@@ -34,8 +34,7 @@ void direction_turn(const struct node *a, real *out);
 
 enum verdict contact_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                             const struct graphs *h);
-enum verdict cluster_settle(struct solver *z, int level, const struct node *f, const struct node *g,
-                            const struct graphs *h);
+enum verdict cluster_settle(struct solver *z, int level, const struct node *f, const struct node *g);
 bool overlap_holds(const struct solver *z, int level, const struct node *f, const struct node *g,
                    const struct graphs *h);
 

@@ -7,15 +7,16 @@
  *
  * Errors, in units of the problem: de Casteljau's two passes over [0, hi] and [lo/hi, 1] in twofolds, each step a relative
  * error of at most 12 u^2 for products of weights (15 u^2) with points and their sum, 2 n steps: less than 64 n u^2 S;
- * the subtraction 3 u^2 S; rounding to one real u of the difference.  For rational curves the homogeneous coordinates of the
- * problem are rounded already (u S): nothing is gained, and there is no zoom. */
+ * for numerator and denominator each; the subtraction 16 u^2 S; rounding to one real u of the difference.  For rational
+ * curves the homogeneous coordinates of the problem are rounded already (the error of level 0): less is gained. */
 #include "../../core/bernstein.h"
 #include "../../core/twofold.h"
 #include "evaluate.h"
 
 struct cut {
     int n;
-    struct twofold x[DEGREE_MAX + 1], y[DEGREE_MAX + 1];
+    bool rational;
+    struct twofold x[DEGREE_MAX + 1], y[DEGREE_MAX + 1], w[DEGREE_MAX + 1];
 };
 
 static inline struct twofold mean(struct twofold v, struct twofold a, struct twofold t, struct twofold b)
@@ -50,17 +51,32 @@ static void cut_curve(const struct curve *c, const struct interval *span, struct
     out->n = c->degree;
     cut_component(c->degree, c->x, span, out->x);
     cut_component(c->degree, c->y, span, out->y);
+    out->rational = c->w != NULL;
+    if (c->w) {
+        cut_component(c->degree, c->w, span, out->w);
+    }
 }
 
-/* Differences from (x, y), into numbers; returns the largest. */
+/* c - x, or c - x w: exact but for relative errors of 16 u^2. */
+static real moved(struct twofold c, real x, const struct twofold *w)
+{
+    struct twofold d = twofold_add(c, w ? twofold_multiply(*w, twofold_of(-x)) : twofold_of(-x));
+    return d.hi + d.lo;
+}
+
+/* Homogeneous coordinates from (x, y) on, into numbers; returns the largest Euclidean one. */
 static real difference(const struct cut *c, real x, real y, real *to)
 {
     real most = 0;
     for (int i = 0; i <= c->n; i++) {
-        struct twofold dx = twofold_add(c->x[i], twofold_of(-x)), dy = twofold_add(c->y[i], twofold_of(-y));
-        to[i] = dx.hi + dx.lo;
-        to[c->n + 1 + i] = dy.hi + dy.lo;
-        most = real_max(most, real_max(real_abs(to[i]), real_abs(to[c->n + 1 + i])));
+        const struct twofold *w = c->rational ? &c->w[i] : NULL;
+        real dx = moved(c->x[i], x, w), dy = moved(c->y[i], y, w), weight = w ? w->hi : (real)1;
+        to[i] = dx;
+        to[c->n + 1 + i] = dy;
+        if (w) {
+            to[2 * (c->n + 1) + i] = weight;
+        }
+        most = real_max(most, real_max(real_abs(dx), real_abs(dy)) / weight);
     }
     return most;
 }
@@ -68,18 +84,19 @@ static real difference(const struct cut *c, real x, real y, real *to)
 /* ---- the level ---- */
 
 /* Enlarges the points by a power of two; error: of the problem's cut, before. */
-static void enlarge(int n, real *points, real factor, real error, struct source *c, real *numbers)
+static void enlarge(const struct cut *cut, real *points, real factor, real error, struct source *c, real *numbers)
 {
     const real u = REAL_EPSILON / 2;
     const real scale = 2; /* coordinates are below it */
+    int n = cut->n, doubled = cut->rational ? 2 : 1;
     for (int i = 0; i < 2 * (n + 1); i++) {
         points[i] = points[i] * factor;
     }
     c->n = n;
-    c->rational = false;
+    c->rational = cut->rational;
     c->points = points;
-    c->error = error * factor + u * scale;
-    c->node_error = (12 * n + 1) * u * scale + c->error;
+    c->error = error * factor + doubled * u * scale;
+    c->node_error = doubled * (12 * n + 1) * u * scale + c->error;
     source_init(c, scale, numbers);
 }
 
@@ -107,51 +124,66 @@ static bool level_new(struct solver *z, const struct interval *t, const struct i
     struct level *v = &z->level[z->levels];
     real *numbers = z->level_numbers + z->level_stride * (size_t)z->levels;
     int n = p->f.degree, m = p->g.degree;
-    real *points_f = numbers, *points_g = points_f + 2 * (n + 1), *rest_f = points_g + 2 * (m + 1);
+    real *points_f = numbers, *points_g = points_f + 3 * (n + 1), *rest_f = points_g + 3 * (m + 1);
     cut_curve(&p->f, t, &f);
     cut_curve(&p->g, s, &g);
-    real x = f.x[0].hi, y = f.y[0].hi;
+    real weight = f.rational ? f.w[0].hi : (real)1, x = f.x[0].hi / weight, y = f.y[0].hi / weight;
     real most = real_max(difference(&f, x, y, points_f), difference(&g, x, y, points_g));
     int most_degree = n > m ? n : m;
-    real error = (64 * most_degree + 8) * (REAL_EPSILON / 2) * (REAL_EPSILON / 2) * p->bounds.scale;
-    if (!(most > 64 * error)) {
+    const real u = REAL_EPSILON / 2;
+    real error = (128 * most_degree + 32) * u * u * p->bounds.scale;
+    real error_f = error + z->level[0].f.error, error_g = error + z->level[0].g.error;
+    if (!(most > 64 * real_max(error_f, error_g))) {
         return false;
     }
     real factor = real_ldexp(1, 1 - real_exponent(most));
     v->t = *t;
     v->s = *s;
     v->scale = 2;
-    enlarge(n, points_f, factor, error, &v->f, rest_f);
-    enlarge(m, points_g, factor, error, &v->g, rest_f + source_length(n));
+    enlarge(&f, points_f, factor, error_f, &v->f, rest_f);
+    enlarge(&g, points_g, factor, error_g, &v->g, rest_f + source_length(n));
     z->levels++;
     return true;
 }
 
-bool zoom(struct solver *z, int from, const struct zero *x)
+bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const struct crossing *otherwise)
 {
+    enum { STEPS = 256 };
     const struct level *v = &z->level[from];
     real wt = v->t.hi - v->t.lo, ws = v->s.hi - v->s.lo;
     struct interval t, s;
-    if (v->f.rational || v->g.rational || z->levels == LEVELS_MAX || from != z->levels - 1) {
+    if (z->levels == LEVELS_MAX || from != z->levels - 1) {
         return false;
     }
     span_make(v->t.lo + wt * x->t, wt * x->rt + 2 * REAL_EPSILON, &t);
     span_make(v->s.lo + ws * x->s, ws * x->rs + 2 * REAL_EPSILON, &s);
-    const real shorter = (real)1 / 16;
     if (t.hi - t.lo > shorter * wt && s.hi - s.lo > shorter * ws) {
         return false;
     }
-    int f = node_new(&z->f), g = node_new(&z->g);
+    int f = node_new(&z->f), g = node_new(&z->g), pairs = z->pairs;
     if (!f || !g || !level_new(z, &t, &s)) {
         return false; /* nodes that were taken are free again at the next collection */
     }
     int level = z->levels - 1;
+    struct level *fresh = &z->level[level];
     struct node *a = &z->f.node[f], *b = &z->g.node[g];
-    a->way = a->points + 2 * (z->p->f.degree + 1);
-    b->way = b->points + 2 * (z->p->g.degree + 1);
-    node_cut(&z->level[level].f, 0, 1, a);
-    node_cut(&z->level[level].g, 0, 1, b);
+    fresh->otherwise = *otherwise;
+    fresh->records = z->out->count;
+    fresh->pairs = pairs;
+    fresh->steps = STEPS;
+    a->way = a->points + (fresh->f.rational ? 3 : 2) * (fresh->f.n + 1);
+    b->way = b->points + (fresh->g.rational ? 3 : 2) * (fresh->g.n + 1);
+    node_cut(&fresh->f, 0, 1, a);
+    node_cut(&fresh->g, 0, 1, b);
     solved_add(z, &t, &s, level);
     pair_push(z, level, f, g, 0);
     return true;
+}
+
+void level_give_up(struct solver *z)
+{
+    struct level *v = &z->level[z->levels - 1];
+    z->pairs = v->pairs;
+    z->out->count = v->records;
+    crossings_add(z->out, &v->otherwise);
 }
