@@ -164,6 +164,31 @@ static bool is_speck(const struct source *c, const struct node *a)
     return extent(a) <= 6 * c->node_error;
 }
 
+static int part_make(struct tree *tree, const struct source *c, const struct node *of, real x, real radius)
+{
+    int k = node_new(tree);
+    if (k) {
+        struct node *part = &tree->node[k];
+        part->way = part->points + (c->rational ? 3 : 2) * (c->n + 1);
+        node_cut(c, real_min(real_max(x - radius, of->lo), of->hi), real_max(real_min(x + radius, of->hi), of->lo), part);
+    }
+    return k;
+}
+
+enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct zero *x)
+{
+    const struct level *v = &z->level[at->level];
+    int f = part_make(&z->f, &v->f, &z->f.node[at->f], x->t, x->rt);
+    int g = part_make(&z->g, &v->g, &z->g.node[at->g], x->s, x->rs);
+    if (!f || !g) {
+        return OPEN;
+    }
+    if (nodes_meet(&z->f.node[f], &z->g.node[g])) {
+        pair_push(z, at->level, f, g, 0);
+    }
+    return CLOSED;
+}
+
 /* Halves the arc that is farther from straight. */
 static void split(struct solver *z, const struct pair *at)
 {
@@ -198,10 +223,12 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     const real small = (real)1 / 16;
     struct graphs h;
+    struct zero common;
     if (strips_apart(v, f, g)) {
         return CLOSED;
     }
-    if (at->rest > 0 || (f->wide && g->wide)) {
+    bool last = narrow_t(z, v, f) && narrow_s(z, v, g);
+    if ((at->rest > 0 && !last) || (f->wide && g->wide)) {
         return OPEN;
     }
     bool graphs = !f->wide && !g->wide && graphs_init(v, f, g, &h);
@@ -209,10 +236,13 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
         return CLOSED;
     }
     at->rest = 2;
+    if (graphs && graphs_common(f, g, &h, &common)) {
+        return pair_narrow(z, at, &common);
+    }
     if (at->level == 0 && (f->hi - f->lo) * (g->hi - g->lo) > small) {
         return OPEN;
     }
-    return cluster_settle(z, at->level, f, g);
+    return cluster_settle(z, at);
 }
 
 static enum verdict settle(struct solver *z, struct pair *at)

@@ -151,9 +151,10 @@ enum verdict zero_settle(struct solver *z, int level, const struct node *f, cons
  * reported.  NO_ZERO: there is none.  STUCK: nothing is proved.  Smaller rectangles are tried in turn, but all more
  * than twice as large as x's own. */
 enum search zero_prove(struct solver *z, int level, const struct zero *x, real wt, real ws, struct zero *found);
-/* Every solution of the pair lies in the region x, at most `at_most` with multiplicity: a look closer, or a CLUSTER. */
+/* Every solution of the pair lies in the region x, at most `at_most` with multiplicity, or just one zero of the extended
+ * pair if it exists: a look closer, or a CLUSTER. */
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
-                           const struct zero *x, int at_most);
+                           const struct zero *x, int at_most, bool exists);
 
 /* ---- zoom.c ---- */
 
@@ -172,6 +173,8 @@ bool overlap_find(struct solver *z);
 /* ---- certified.c ---- */
 
 bool pair_push(struct solver *z, int level, int f, int g, int rest);
+/* Pushes what of the pair lies in the region instead of it; OPEN: there is no memory. */
+enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct zero *x);
 /* From local parameters of a level to the problem's. */
 struct interval level_t(const struct level *v, real lo, real hi);
 struct interval level_s(const struct level *v, real lo, real hi);

@@ -119,7 +119,7 @@ static enum verdict settle_region(const struct side *c, const struct gap_view *a
     region.s = at->s;
     region.rt = (radius + pad) / c->h->run_f.lo + 2 * REAL_EPSILON;
     region.rs = (radius + pad) / c->h->run_g.lo + 2 * REAL_EPSILON;
-    return region_settle(c->z, c->level, c->f, c->g, &region, 2);
+    return region_settle(c->z, c->level, c->f, c->g, &region, 2, false);
 }
 
 /* The zero on one side of `from`, by Newton's method; false if it leaves the nodes or loses its way. */

@@ -197,7 +197,7 @@ static bool is_cut(const struct interval *span, real x, real radius)
 /* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if not, a level with
  * it in its middle is made. */
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
-                           const struct zero *x, int at_most)
+                           const struct zero *x, int at_most, bool exists)
 {
     const struct level *v = &z->level[level];
     struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
@@ -210,13 +210,17 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
                  !is_cut(&v->s, x->s, x->rs);
     bool narrow = t.hi - t.lo <= z->p->bounds.tolerance_t && s.hi - s.lo <= z->p->bounds.tolerance_s;
     struct crossing c = {t, s, whole ? CLUSTER : CANDIDATE, whole ? at_most : 0, 0};
-    const real shorter = (real)1 / 16;
-    if (level == 0 || !narrow || !whole) {
-        if (zoom(z, level, x, whole ? shorter : (real)1, &c)) {
-            return CLOSED;
-        }
+    if (whole && exists) {
+        c.standing = near_end(&t) || near_end(&s) ? END : UNIQUE;
     }
-    if (!whole && !narrow) {
+    const real shorter = (real)1 / 16, small = (real)1 / 8;
+    bool smaller = x->rt <= small * (f->hi - f->lo) && x->rs <= small * (g->hi - g->lo);
+    /* a contact of order above 3 gains nothing by a closer look */
+    bool look = whole ? (!narrow && at_most <= 3) || (level == 0 && at_most <= 2) : true;
+    if (look && zoom(z, level, x, whole ? shorter : (real)1, &c)) {
+        return CLOSED;
+    }
+    if (!narrow && !(whole && smaller)) {
         return OPEN;
     }
     crossings_add(z->out, &c);

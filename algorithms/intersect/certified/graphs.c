@@ -156,6 +156,35 @@ bool graphs_init(const struct level *v, const struct node *f, const struct node 
     return true;
 }
 
+/* Parameters of an arc whose abscissa x, increasing, lies in [lo, hi]: from each end by the largest and the least |x'|. */
+static struct interval abscissas(const struct node *a, const struct interval *x, const struct interval *run, real lo,
+                                 real hi)
+{
+    real from_start = real_max(lo - x->lo, (real)0) / run->hi, from_end = real_max(x->hi - hi, (real)0) / run->hi;
+    real before_end = real_max(x->hi - lo, (real)0) / run->lo, after_start = real_max(hi - x->lo, (real)0) / run->lo;
+    struct interval out;
+    out.lo = real_max(a->lo + from_start, a->hi - before_end);
+    out.hi = real_min(a->hi - from_end, a->lo + after_start);
+    return out;
+}
+
+bool graphs_common(const struct node *f, const struct node *g, const struct graphs *h, struct zero *out)
+{
+    const real worth = (real)0.5;
+    real pad = 2 * h->x_error, lo = h->x.lo - pad, hi = h->x.hi + pad;
+    struct interval t = abscissas(f, &h->x_f, &h->run_f, lo, hi), s = abscissas(g, &h->x_g, &h->run_g, lo, hi);
+    if (h->sign < 0) { /* g runs backwards */
+        real first = g->lo + (g->hi - s.hi);
+        s.hi = g->hi - (s.lo - g->lo);
+        s.lo = first;
+    }
+    out->t = (t.lo + t.hi) / 2;
+    out->s = (s.lo + s.hi) / 2;
+    out->rt = real_max(t.hi - t.lo, (real)0) / 2 + REAL_EPSILON;
+    out->rs = real_max(s.hi - s.lo, (real)0) / 2 + REAL_EPSILON;
+    return 2 * out->rt <= worth * (f->hi - f->lo) || 2 * out->rs <= worth * (g->hi - g->lo);
+}
+
 /* ---- the gap ---- */
 
 /* With r = f(t) - g(s) in the frame, (hx, hy), and slopes y' of both: the gap at X_f(t) is

@@ -18,6 +18,9 @@ struct graphs {
 /* false if they are no graphs over one direction, or turn too much */
 bool graphs_init(const struct level *v, const struct node *f, const struct node *g, struct graphs *out);
 
+/* Where the common abscissas are; false if that is not half of either node or less. */
+bool graphs_common(const struct node *f, const struct node *g, const struct graphs *h, struct zero *out);
+
 /* True only if a strip along one arc's chord keeps it apart from the other. */
 bool strips_apart(const struct level *v, const struct node *f, const struct node *g);
 
@@ -34,7 +37,7 @@ void direction_turn(const struct node *a, real *out);
 
 enum verdict contact_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                             const struct graphs *h);
-enum verdict cluster_settle(struct solver *z, int level, const struct node *f, const struct node *g);
+enum verdict cluster_settle(struct solver *z, const struct pair *at);
 bool overlap_holds(const struct solver *z, int level, const struct node *f, const struct node *g,
                    const struct graphs *h);
 

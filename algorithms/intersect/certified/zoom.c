@@ -148,7 +148,7 @@ static bool level_new(struct solver *z, const struct interval *t, const struct i
 
 bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const struct crossing *otherwise)
 {
-    enum { STEPS = 256 };
+    enum { STEPS = 64 };
     const struct level *v = &z->level[from];
     real wt = v->t.hi - v->t.lo, ws = v->s.hi - v->s.lo;
     struct interval t, s;
