@@ -13,6 +13,9 @@
  * both parameters are as narrow as asked is a CANDIDATE.  Every pair that leaves the stack is empty, or its solutions lie
  * in records: so do all. */
 #include "graphs.h"
+#ifdef CERT_DEBUG
+#include <stdio.h>
+#endif
 
 /* ---- memory: one block of scratch, laid out by the degrees ---- */
 
@@ -310,6 +313,18 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
             level_give_up(&z);
             continue;
         }
+#ifdef CERT_DEBUG
+        {
+            const struct level *v = &z.level[at.level];
+            const struct node *f = &z.f.node[at.f], *g = &z.g.node[at.g];
+            struct interval t = level_t(v, f->lo, f->hi), s = level_s(v, g->lo, g->hi);
+            int r = out->count, q = z.pairs;
+            int verdict = settle(&z, &at);
+            fprintf(stderr, "%s level %d t [%.17g %.17g] s [%.17g %.17g] -> %s, %d records, %d pairs\n", z.f.node[at.f].child ? "" : "", at.level, t.lo, t.hi, s.lo, s.hi, verdict ? "closed" : "open", out->count - r, z.pairs - q);
+            if (verdict == OPEN) split(&z, &at);
+            continue;
+        }
+#endif
         if (settle(&z, &at) == OPEN) {
             split(&z, &at);
         }

@@ -156,6 +156,9 @@ enum search zero_prove(struct solver *z, int level, const struct zero *x, real w
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                            const struct zero *x, int at_most, bool exists);
 
+/* The same where nothing is proved: OPEN if there is no closer look to be had. */
+enum verdict region_look(struct solver *z, int level, const struct zero *x);
+
 /* ---- zoom.c ---- */
 
 /* A level over the region x of level `from`, or a little more, pushed as a pair; false if there is no memory, or it would
@@ -179,6 +182,8 @@ enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct z
 struct interval level_t(const struct level *v, real lo, real hi);
 struct interval level_s(const struct level *v, real lo, real hi);
 bool is_solved(const struct solver *z, int level, const struct interval *t, const struct interval *s);
+/* The rectangle of a level that was given up is no more than the record that stands for it. */
+void solved_shrink(struct solver *z, int level, const struct crossing *to);
 void solved_add(struct solver *z, const struct interval *t, const struct interval *s, int level);
 
 #endif

@@ -39,17 +39,12 @@ static int stretches(const struct gap_model *c, struct stretch *out)
     return count;
 }
 
-/* Is rounding the larger part of what is not known of G there? */
+/* Is rounding of the points, not the remainder, what hides G there? */
 static bool is_limited(const struct gap_model *c, const struct stretch *s)
 {
     const int many = 4;
-    struct ball g[SERIES + 1];
-    gap_model_bernstein(c, 0, s->lo, s->hi, g);
-    real most = 0;
-    for (int i = 0; i <= SERIES; i++) {
-        most = real_max(most, g[i].rad);
-    }
-    return most <= many * c->gap.c[0].rad;
+    real d = real_max(c->at - s->lo, s->hi - c->at), dd = d * d;
+    return c->gap.c[SERIES].rad * (dd * dd * dd) <= c->noise && c->gap.c[0].rad <= many * c->noise;
 }
 
 /* The least p for which G^(p) has one sign on the stretch; 0: none. */
@@ -100,7 +95,8 @@ static enum verdict settle_stretch(struct solver *z, const struct pair *at, cons
     const real worth = (real)0.5;
     struct zero x, found;
     region_of(c, s, f_is_graph ? g : f, f_is_graph ? f : g, f_is_graph, &x);
-    int p = is_limited(c, s) ? order_on(c, s) : 0;
+    bool limited = is_limited(c, s);
+    int p = limited ? order_on(c, s) : 0;
     if (p == 1) {
         const int many = 64;
         struct zero guess = {x.t, x.s, 0, 0};
@@ -112,26 +108,45 @@ static enum verdict settle_stretch(struct solver *z, const struct pair *at, cons
     if (p && region_settle(z, at->level, f, g, &x, p, p == 1 && changes_sign(c)) == CLOSED) {
         return CLOSED;
     }
-    return !p && s->hi - s->lo <= worth ? pair_narrow(z, at, &x) : OPEN;
+    if (limited) {
+        return region_look(z, at->level, &x);
+    }
+    return s->hi - s->lo <= worth ? pair_narrow(z, at, &x) : OPEN;
+}
+
+/* Several: the pair is divided between them. */
+static enum verdict divide(struct solver *z, const struct pair *at, const struct gap_model *c, bool f_is_graph, int count,
+                           const struct stretch *s)
+{
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    int pairs = z->pairs;
+    for (int i = count - 1; i >= 0; i--) {
+        struct stretch part = {i > 0 ? (s[i - 1].hi + s[i].lo) / 2 : (real)0,
+                               i < count - 1 ? (s[i].hi + s[i + 1].lo) / 2 : (real)1};
+        struct zero x;
+        region_of(c, &part, f_is_graph ? g : f, f_is_graph ? f : g, f_is_graph, &x);
+        if (pair_narrow(z, at, &x) == OPEN) {
+            z->pairs = pairs;
+            return OPEN;
+        }
+    }
+    return CLOSED;
 }
 
 static enum verdict settle_stretches(struct solver *z, const struct pair *at, const struct gap_model *c, bool f_is_graph)
 {
     struct stretch s[STRETCHES_MAX];
-    int count = stretches(c, s), pairs = z->pairs;
+    int count = stretches(c, s);
 #ifdef CERT_DEBUG
     fprintf(stderr, "cluster level %d t [%.8g +%.3g] s [%.8g +%.3g] graph %d count %d noise %g gap", at->level, z->f.node[at->f].lo, z->f.node[at->f].hi - z->f.node[at->f].lo, z->g.node[at->g].lo, z->g.node[at->g].hi - z->g.node[at->g].lo, f_is_graph, count, c->gap.c[0].rad);
     for (int i = 0; i <= SERIES; i++) fprintf(stderr, " %.3g+-%.1g", c->gap.c[i].mid, c->gap.c[i].rad);
     for (int i = 0; i < count; i++) fprintf(stderr, "; [%.5g %.5g] limited %d order %d", s[i].lo, s[i].hi, is_limited(c, &s[i]), order_on(c, &s[i]));
     fprintf(stderr, "\n");
 #endif
-    for (int i = 0; i < count; i++) {
-        if (settle_stretch(z, at, c, f_is_graph, &s[i]) == OPEN) {
-            z->pairs = pairs;
-            return OPEN;
-        }
+    if (count == 0) {
+        return CLOSED;
     }
-    return CLOSED;
+    return count == 1 ? settle_stretch(z, at, c, f_is_graph, &s[0]) : divide(z, at, c, f_is_graph, count, s);
 }
 
 enum verdict cluster_settle(struct solver *z, const struct pair *at)

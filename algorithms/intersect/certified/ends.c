@@ -64,6 +64,16 @@ void solved_add(struct solver *z, const struct interval *t, const struct interva
     z->solved++;
 }
 
+void solved_shrink(struct solver *z, int level, const struct crossing *to)
+{
+    for (int i = 0; i < z->solved && i < SOLVED_MAX; i++) {
+        if (z->solved_at[i].level == level) {
+            z->solved_at[i].t = to->t;
+            z->solved_at[i].s = to->s;
+        }
+    }
+}
+
 /* Is x near a cut inside the domain?  x, radius: local. */
 static bool near_cut(const struct interval *span, const struct node *a, real x, real radius)
 {
@@ -215,8 +225,8 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     }
     const real shorter = (real)1 / 16, small = (real)1 / 8;
     bool smaller = x->rt <= small * (f->hi - f->lo) && x->rs <= small * (g->hi - g->lo);
-    /* a contact of order above 3 gains nothing by a closer look */
-    bool look = whole ? (!narrow && at_most <= 3) || (level == 0 && at_most <= 2) : true;
+    /* two solutions are told apart, or from none, at any tolerance */
+    bool look = !whole || !narrow || (level == 0 && at_most <= 2);
     if (look && zoom(z, level, x, whole ? shorter : (real)1, &c)) {
         return CLOSED;
     }
@@ -226,4 +236,15 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     crossings_add(z->out, &c);
     solved_add(z, &t, &s, 0);
     return CLOSED;
+}
+
+enum verdict region_look(struct solver *z, int level, const struct zero *x)
+{
+    const struct level *v = &z->level[level];
+    struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
+    cut_off(&t);
+    cut_off(&s);
+    const struct crossing c = {t, s, CANDIDATE, 0, 0};
+    const real shorter = (real)1 / 16;
+    return level == 0 && zoom(z, level, x, shorter, &c) ? CLOSED : OPEN;
 }

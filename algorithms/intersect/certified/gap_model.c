@@ -231,6 +231,7 @@ bool gap_model_init(const struct source *free_of, const struct node *free_node, 
     node_series(&out->loose, -1, &px, &py);
     subtract_graph(&px, &py, &range, &out->gap);
     out->swing = ball_most(px.c[SERIES]);
+    out->noise = out->loose.error + out->graph.error;
     out->at = (real)0.5;
     return centre(out, &range);
 }

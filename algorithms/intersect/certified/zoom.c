@@ -182,8 +182,9 @@ bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const 
 
 void level_give_up(struct solver *z)
 {
-    struct level *v = &z->level[z->levels - 1];
+    const struct level *v = &z->level[z->levels - 1];
     z->pairs = v->pairs;
     z->out->count = v->records;
     crossings_add(z->out, &v->otherwise);
+    solved_shrink(z, z->levels - 1, &v->otherwise);
 }
