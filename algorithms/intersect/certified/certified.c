@@ -13,6 +13,8 @@
  * both parameters are as narrow as asked is a CANDIDATE.  Every pair that leaves the stack is empty, or its solutions lie
  * in records: so do all. */
 #include "graphs.h"
+
+enum { FIRST_LOOK = 64 }; /* steps before overlaps are looked for */
 #ifdef CERT_DEBUG
 #include <stdio.h>
 #endif
@@ -70,7 +72,7 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->level_stride = level_length(n, m);
     z->level_numbers = at;
     z->levels = z->pairs = z->solved = 0;
-    z->next_look = 96;
+    z->next_look = FIRST_LOOK;
 }
 
 /* ---- level 0 ---- */
@@ -115,6 +117,8 @@ static bool begin(struct solver *z)
     source_init(&v->f, scale, z->level_numbers);
     source_init(&v->g, scale, z->level_numbers + source_length(v->f.n));
     z->levels = 1;
+    z->root_f = f;
+    z->root_g = g;
     return pair_push(z, 0, f, g, 0);
 }
 
@@ -235,7 +239,7 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
         return OPEN;
     }
     bool graphs = !f->wide && !g->wide && graphs_init(v, f, g, &h);
-    if (graphs && (h.apart || contact_settle(z, at->level, f, g, &h) == CLOSED)) {
+    if (graphs && (h.apart || overlap_holds(z, at->level, f, g, &h) || contact_settle(z, at->level, f, g, &h) == CLOSED)) {
         return CLOSED;
     }
     at->rest = 2;
@@ -272,6 +276,21 @@ static enum verdict settle(struct solver *z, struct pair *at)
     return settle_beside(z, at);
 }
 
+/* Once in a while, where there is too much to do: if there is a shared arc, all begins anew without it. */
+static void look_for_overlaps(struct solver *z)
+{
+    enum { TIMES = 8 };
+    z->next_look *= TIMES;
+    if (overlap_find(z)) {
+        z->out->count = 0;
+        z->out->merged = false;
+        z->outcome = SOLVED;
+        z->levels = 1;
+        z->solved = z->pairs = 0;
+        pair_push(z, 0, z->root_f, z->root_g, 0);
+    }
+}
+
 /* Levels above `level` have no pairs left: what they stood for is settled. */
 static void levels_drop(struct solver *z, int level)
 {
@@ -296,6 +315,9 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
         return SOLVED;
     }
     while (z.pairs > 0) {
+        if (w->steps >= z.next_look) {
+            look_for_overlaps(&z);
+        }
         if (is_crowded(&z.f) || is_crowded(&z.g)) {
             nodes_collect(&z);
         }

@@ -95,6 +95,7 @@ struct solver {
     size_t level_stride;
     struct pair *pair;
     struct rectangle solved_at[SOLVED_MAX];
+    int root_f, root_g;
     int next_look; /* steps before overlaps are looked for (again) */
 };
 
@@ -115,7 +116,7 @@ void node_prepare(const struct source *c, struct node *to);
 int node_new(struct tree *tree); /* first of two siblings; 0: no memory */
 /* The first half of node k, or 0 if there is no memory; it may have been made before. */
 int node_split(struct tree *tree, const struct source *c, int k);
-/* Frees all nodes that no waiting pair needs. */
+/* Frees all nodes that no waiting pair needs, but the roots. */
 void nodes_collect(struct solver *z);
 
 static inline bool nodes_meet(const struct node *a, const struct node *b)

@@ -47,43 +47,13 @@ static void look(const struct side *c, real t, real s, struct gap_view *out)
     out->slope = c->sign * out->slope;
 }
 
-/* Moves (t, s) so that both have the abscissa x, to first order. */
-static void step_to(const struct side *c, real x, const struct gap_view *from, real *t, real *s)
-{
-    *t = clamp(from->t + (x - from->x) / from->run_f, c->f->lo, c->f->hi);
-    *s = clamp(from->s + (x - from->x + from->hx) / from->run_g, c->g->lo, c->g->hi);
-}
-
-static void start(const struct side *c, real x, real *t, real *s)
-{
-    const struct graphs *h = c->h;
-    real of_f = (x - h->x_f.lo) / (h->x_f.hi - h->x_f.lo), of_g = (x - h->x_g.lo) / (h->x_g.hi - h->x_g.lo);
-    if (h->sign < 0) {
-        of_g = 1 - of_g;
-    }
-    *t = clamp(c->f->lo + (c->f->hi - c->f->lo) * of_f, c->f->lo, c->f->hi);
-    *s = clamp(c->g->lo + (c->g->hi - c->g->lo) * of_g, c->g->lo, c->g->hi);
-}
-
-/* hx no more than adds an eighth of the noise. */
-static bool is_level(const struct side *c, const struct gap_view *at)
-{
-    return 8 * (c->h->bend * at->hx * at->hx) <= at->noise && 8 * real_abs(at->hx) * at->slope_error <= at->noise;
-}
-
 /* The view at abscissa x; false if Newton's method does not get there. */
 static bool look_at(const struct side *c, real x, struct gap_view *out)
 {
-    real t, s;
-    start(c, x, &t, &s);
-    for (int k = 0; k < 8; k++) {
-        look(c, t, s, out);
-        if (real_abs(out->x - x) <= 2 * c->h->x_error && is_level(c, out)) {
-            return true;
-        }
-        step_to(c, x, out, &t, &s);
-    }
-    return false;
+    bool there = gap_look_at(c->v, c->f, c->g, c->h, x, out);
+    out->gap = c->sign * out->gap;
+    out->slope = c->sign * out->slope;
+    return there;
 }
 
 /* The least gap within the common range; `end`: -1, 1 if it is at its first or last end, else 0. */
@@ -91,7 +61,7 @@ static bool look_at_least(const struct side *c, struct gap_view *out, int *end)
 {
     const struct interval *range = &c->h->x;
     real t, s, second = c->middle, x = (range->lo + range->hi) / 2;
-    start(c, x, &t, &s);
+    gap_start(c->f, c->g, c->h, x, &t, &s);
     look(c, t, s, out);
     for (int k = 0; k < 12; k++) {
         real next = out->x - out->slope / second;
@@ -99,11 +69,11 @@ static bool look_at_least(const struct side *c, struct gap_view *out, int *end)
         next = clamp(next, range->lo, range->hi);
         bool there = *end ? real_abs(next - out->x) <= 2 * c->h->x_error
                           : out->slope * out->slope <= c->m * out->noise;
-        if (there && is_level(c, out)) {
+        if (there && gap_is_level(c->h, out)) {
             return true;
         }
         struct gap_view last = *out;
-        step_to(c, next, out, &t, &s);
+        gap_step(c->f, c->g, next, out, &t, &s);
         look(c, t, s, out);
         real secant = (out->slope - last.slope) / (out->x - last.x);
         second = secant > c->m && secant < c->M ? secant : c->middle;
@@ -136,14 +106,14 @@ static bool descend(const struct side *c, const struct gap_view *from, int direc
         if (beyond > c->h->x_error && beyond > dx / 2) {
             return false;
         }
-        step_to(c, direction * x, now, &t, &s);
+        gap_step(c->f, c->g, direction * x, now, &t, &s);
         look(c, t, s, now);
         real rate = direction * now->slope;
         if (!(rate > 0)) {
             return false;
         }
         dx = -now->gap / rate;
-        if (real_abs(now->gap) <= 64 * now->gap_error && is_level(c, now)) {
+        if (real_abs(now->gap) <= 64 * now->gap_error && gap_is_level(c->h, now)) {
             return true;
         }
     }

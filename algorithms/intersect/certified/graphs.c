@@ -213,3 +213,39 @@ void gap_look(const struct level *v, const struct graphs *h, real t, real s, str
                      8 * REAL_EPSILON * real_abs(hy);
     out->noise = noise;
 }
+
+void gap_start(const struct node *f, const struct node *g, const struct graphs *h, real x, real *t, real *s)
+{
+    real of_f = (x - h->x_f.lo) / (h->x_f.hi - h->x_f.lo), of_g = (x - h->x_g.lo) / (h->x_g.hi - h->x_g.lo);
+    if (h->sign < 0) {
+        of_g = 1 - of_g;
+    }
+    *t = clamp(f->lo + (f->hi - f->lo) * of_f, f->lo, f->hi);
+    *s = clamp(g->lo + (g->hi - g->lo) * of_g, g->lo, g->hi);
+}
+
+void gap_step(const struct node *f, const struct node *g, real x, const struct gap_view *from, real *t, real *s)
+{
+    *t = clamp(from->t + (x - from->x) / from->run_f, f->lo, f->hi);
+    *s = clamp(from->s + (x - from->x + from->hx) / from->run_g, g->lo, g->hi);
+}
+
+bool gap_is_level(const struct graphs *h, const struct gap_view *at)
+{
+    return 8 * (h->bend * at->hx * at->hx) <= at->noise && 8 * real_abs(at->hx) * at->slope_error <= at->noise;
+}
+
+bool gap_look_at(const struct level *v, const struct node *f, const struct node *g, const struct graphs *h, real x,
+                 struct gap_view *out)
+{
+    real t, s;
+    gap_start(f, g, h, x, &t, &s);
+    for (int k = 0; k < 8; k++) {
+        gap_look(v, h, t, s, out);
+        if (real_abs(out->x - x) <= 2 * h->x_error && gap_is_level(h, out)) {
+            return true;
+        }
+        gap_step(f, g, x, out, &t, &s);
+    }
+    return false;
+}

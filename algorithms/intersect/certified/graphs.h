@@ -32,6 +32,15 @@ struct gap_view {
 };
 void gap_look(const struct level *v, const struct graphs *h, real t, real s, struct gap_view *out);
 
+/* Parameters where both arcs are near abscissa x; those that Newton's method gives next, from a view; and is hx so small
+ * that it adds no more than an eighth of the noise? */
+void gap_start(const struct node *f, const struct node *g, const struct graphs *h, real x, real *t, real *s);
+void gap_step(const struct node *f, const struct node *g, real x, const struct gap_view *from, real *t, real *s);
+bool gap_is_level(const struct graphs *h, const struct gap_view *at);
+/* The view at abscissa x; false if Newton's method does not get there. */
+bool gap_look_at(const struct level *v, const struct node *f, const struct node *g, const struct graphs *h, real x,
+                 struct gap_view *out);
+
 /* Bernstein coefficients, degree 2 ways - 4, of cross(N, N') / (ways - 1), N the polynomial of the directions. */
 void direction_turn(const struct node *a, real *out);
 

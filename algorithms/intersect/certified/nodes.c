@@ -292,6 +292,8 @@ static void mark(struct tree *tree, int k)
 
 void nodes_collect(struct solver *z)
 {
+    mark(&z->f, z->root_f);
+    mark(&z->g, z->root_g);
     for (int i = 0; i < z->pairs; i++) {
         mark(&z->f, z->pair[i].f);
         mark(&z->g, z->pair[i].g);
