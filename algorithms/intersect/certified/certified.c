@@ -124,15 +124,21 @@ static bool begin(struct solver *z)
 
 /* ---- the stack ---- */
 
+void record_add(struct solver *z, const struct crossing *c)
+{
+    bool narrow = c->t.hi - c->t.lo <= z->p->bounds.tolerance_t && c->s.hi - c->s.lo <= z->p->bounds.tolerance_s;
+    if (c->standing == CANDIDATE && !narrow && z->outcome == SOLVED) {
+        z->outcome = OUT_OF_STEPS;
+    }
+    crossings_add(z->out, c);
+}
+
 static void accept(struct solver *z, const struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     struct crossing c = {level_t(v, f->lo, f->hi), level_s(v, g->lo, g->hi), CANDIDATE, 0, 0};
-    if (c.t.hi - c.t.lo > z->p->bounds.tolerance_t || c.s.hi - c.s.lo > z->p->bounds.tolerance_s) {
-        z->outcome = z->outcome == SOLVED ? OUT_OF_STEPS : z->outcome;
-    }
-    crossings_add(z->out, &c);
+    record_add(z, &c);
 }
 
 /* false: there is no room, and the pair has become a record */

@@ -176,6 +176,8 @@ bool overlap_find(struct solver *z);
 
 /* ---- certified.c ---- */
 
+/* Adds c; a CANDIDATE wider than asked means that the problem is not SOLVED. */
+void record_add(struct solver *z, const struct crossing *c);
 bool pair_push(struct solver *z, int level, int f, int g, int rest);
 /* Pushes what of the pair lies in the region instead of it; OPEN: there is no memory. */
 enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct zero *x);

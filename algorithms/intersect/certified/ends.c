@@ -108,7 +108,7 @@ static void report(struct solver *z, const struct interval *t, const struct inte
     }
     cut_off(&c.t);
     cut_off(&c.s);
-    crossings_add(z->out, &c);
+    record_add(z, &c);
 }
 
 /* x in the problem's parameters; not cut off at 0 and 1. */
@@ -233,7 +233,7 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     if (!narrow && !(whole && smaller)) {
         return OPEN;
     }
-    crossings_add(z->out, &c);
+    record_add(z, &c);
     solved_add(z, &t, &s, 0);
     return CLOSED;
 }

@@ -185,6 +185,6 @@ void level_give_up(struct solver *z)
     const struct level *v = &z->level[z->levels - 1];
     z->pairs = v->pairs;
     z->out->count = v->records;
-    crossings_add(z->out, &v->otherwise);
+    record_add(z, &v->otherwise);
     solved_shrink(z, z->levels - 1, &v->otherwise);
 }
