@@ -141,7 +141,7 @@ static void accept(struct solver *z, const struct pair *at)
     record_add(z, &c);
 }
 
-/* false: there is no room, and the pair has become a record */
+/* Pairs of deeper levels stay on top.  false: there is no room, and the pair has become a record */
 bool pair_push(struct solver *z, int level, int f, int g, int rest)
 {
     struct pair at = {f, g, level, rest};
@@ -150,7 +150,14 @@ bool pair_push(struct solver *z, int level, int f, int g, int rest)
         accept(z, &at);
         return false;
     }
-    z->pair[z->pairs++] = at;
+    int place = z->pairs++;
+    for (; place > 0 && z->pair[place - 1].level > level; place--) {
+        z->pair[place] = z->pair[place - 1];
+    }
+    z->pair[place] = at;
+    for (int i = level + 1; i < z->levels; i++) {
+        z->level[i].pairs++;
+    }
     return true;
 }
 
@@ -308,6 +315,16 @@ static void levels_drop(struct solver *z, int level)
     z->levels = level + 1;
 }
 
+/* Counts a step of a level above 0; true if there are none left. */
+static bool level_is_over(struct solver *z, int level)
+{
+    struct level *v = &z->level[level];
+    if (v->records < 0) {
+        v->records = z->out->count;
+    }
+    return --v->steps < 0;
+}
+
 static bool is_crowded(const struct tree *tree)
 {
     return !tree->spare && tree->used + 8 >= NODES_MAX;
@@ -337,7 +354,7 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
             continue;
         }
         w->steps++;
-        if (at.level > 0 && --z.level[at.level].steps < 0) {
+        if (at.level > 0 && level_is_over(&z, at.level)) {
             level_give_up(&z);
             continue;
         }

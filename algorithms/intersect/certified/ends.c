@@ -100,17 +100,6 @@ static bool is_reported(const struct solver *z, const struct interval *t, const 
     return false;
 }
 
-static void report(struct solver *z, const struct interval *t, const struct interval *s)
-{
-    struct crossing c = {*t, *s, near_end(t) || near_end(s) ? END : UNIQUE, 1, 1};
-    if (c.standing == END) {
-        c.multiplicity = 0;
-    }
-    cut_off(&c.t);
-    cut_off(&c.s);
-    record_add(z, &c);
-}
-
 /* x in the problem's parameters; not cut off at 0 and 1. */
 static struct interval around(const struct interval *span, real x, real radius)
 {
@@ -120,6 +109,26 @@ static struct interval around(const struct interval *span, real x, real radius)
     }
     struct interval a = {middle - pad, middle + pad};
     return a;
+}
+
+/* One zero, at x: a record, or if it is wider than asked for, a closer look.  Returns the level of that look, or 0. */
+static int report(struct solver *z, int level, const struct zero *x)
+{
+    const struct level *v = &z->level[level];
+    const struct bounds *b = &z->p->bounds;
+    const real shorter = (real)1 / 16;
+    struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
+    struct crossing c = {t, s, near_end(&t) || near_end(&s) ? END : UNIQUE, 1, 1};
+    if (c.standing == END) {
+        c.multiplicity = 0;
+    }
+    cut_off(&c.t);
+    cut_off(&c.s);
+    if ((c.t.hi - c.t.lo > b->tolerance_t || c.s.hi - c.s.lo > b->tolerance_s) && zoom(z, level, x, shorter, &c)) {
+        return z->levels - 1;
+    }
+    record_add(z, &c);
+    return 0;
 }
 
 /* Nodes over (t +- wt) x (s +- ws) and the zero in them, if there is just one. */
@@ -158,10 +167,11 @@ enum search zero_prove(struct solver *z, int level, const struct zero *x, real w
         }
         struct interval at = around(&v->t, found->t, found->rt), as = around(&v->s, found->s, found->rs);
         struct interval ut = level_t(v, f.lo, f.hi), us = level_s(v, g.lo, g.hi);
+        int looked = 0;
         if (!is_solved(z, level, &at, &as) && !is_reported(z, &ut, &us)) {
-            report(z, &at, &as);
+            looked = report(z, level, found);
         }
-        solved_add(z, &ut, &us, 0);
+        solved_add(z, &ut, &us, looked);
         return ZERO;
     }
     return STUCK;
@@ -187,7 +197,7 @@ enum verdict zero_settle(struct solver *z, int level, const struct node *f, cons
             return CLOSED;
         }
     }
-    report(z, &t, &s);
+    report(z, level, x);
     return CLOSED;
 }
 

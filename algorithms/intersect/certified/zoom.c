@@ -168,7 +168,7 @@ bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const 
     struct level *fresh = &z->level[level];
     struct node *a = &z->f.node[f], *b = &z->g.node[g];
     fresh->otherwise = *otherwise;
-    fresh->records = z->out->count;
+    fresh->records = -1;
     fresh->pairs = pairs;
     fresh->steps = STEPS;
     a->way = a->points + (fresh->f.rational ? 3 : 2) * (fresh->f.n + 1);
