@@ -133,12 +133,17 @@ void record_add(struct solver *z, const struct crossing *c)
     crossings_add(z->out, c);
 }
 
+/* In a level that stands for something better, that is it. */
 static void accept(struct solver *z, const struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     struct crossing c = {level_t(v, f->lo, f->hi), level_s(v, g->lo, g->hi), CANDIDATE, 0, 0};
-    record_add(z, &c);
+    if (at->level > 0 && v->otherwise.standing != CANDIDATE) {
+        level_give_up(z);
+    } else {
+        record_add(z, &c);
+    }
 }
 
 /* Pairs of deeper levels stay on top.  false: there is no room, and the pair has become a record */

@@ -168,10 +168,11 @@ static struct interval abscissas(const struct node *a, const struct interval *x,
     return out;
 }
 
+/* Less would leave no more than rounding of second and third derivatives. */
 bool graphs_common(const struct node *f, const struct node *g, const struct graphs *h, struct zero *out)
 {
     const real worth = (real)0.5;
-    real pad = 2 * h->x_error, lo = h->x.lo - pad, hi = h->x.hi + pad;
+    real pad = 2 * h->x_error + real_ldexp(1, -REAL_BITS / 4), lo = h->x.lo - pad, hi = h->x.hi + pad;
     struct interval t = abscissas(f, &h->x_f, &h->run_f, lo, hi), s = abscissas(g, &h->x_g, &h->run_g, lo, hi);
     if (h->sign < 0) { /* g runs backwards */
         real first = g->lo + (g->hi - s.hi);
