@@ -246,7 +246,7 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    const real small = (real)1 / 16;
+    const real small = (real)1 / 1024;
     struct graphs h;
     struct zero common;
     if (strips_apart(v, f, g)) {

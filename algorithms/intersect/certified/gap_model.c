@@ -13,6 +13,8 @@
  * remainder falls with the sixth power of the width. */
 #include "gap_model.h"
 
+#include "../../core/bernstein.h"
+
 /* ---- enclosures of Taylor coefficients by the own parameter ---- */
 
 static void frame_node(const struct source *c, const struct node *a, real ex, real ey, real x0, real y0,
@@ -89,18 +91,9 @@ static void node_series(const struct framed *a, real at, struct series *x, struc
     }
     struct series w, one;
     component_series(a, 2, at, a->error * weight, &w);
-    /* one = 1 / w: one[k] = -(sum over j >= 1 of w[j] one[k-j]) / w[0] */
-    struct ball first = ball_least(w.c[0]) > 0 ? ball_invert(w.c[0]) : ball_of(0, REAL_HUGE);
-    one.c[0] = first;
-    for (int k = 1; k <= SERIES; k++) {
-        struct ball sum = ball_of(0, 0);
-        for (int j = 1; j <= k; j++) {
-            sum = ball_subtract(sum, ball_multiply(w.c[j], one.c[k - j]));
-        }
-        one.c[k] = ball_multiply(sum, first);
-    }
-    series_multiply(x, 0, &one, x);
-    series_multiply(y, 0, &one, y);
+    series_invert(&w, SERIES, &one);
+    series_multiply(x, 0, &one, SERIES, x);
+    series_multiply(y, 0, &one, SERIES, y);
 }
 
 /* x and its derivative at a parameter. */
@@ -121,14 +114,13 @@ static void component_at(const struct framed *a, real at, struct ball *value, st
 /* gamma as a series in x - X(s), for s in the graph's node or at one s; run: the least |X'|. */
 static bool graph_series(const struct framed *graph, real at, struct series *gamma, real *run)
 {
-    struct series x, y, s;
+    struct series x, y;
     node_series(graph, at, &x, &y);
     *run = ball_least(x.c[1]);
     if (!(*run > 0)) {
         return false;
     }
-    series_revert(&x, &s);
-    series_compose(&y, &s, gamma);
+    series_graph(&x, &y, gamma);
     return true;
 }
 
@@ -170,10 +162,15 @@ static real reach_beyond(const struct framed *a, const struct framed *g)
 /* The graph's own parameter with abscissa x, roughly; from `as`. */
 static real graph_parameter(const struct framed *g, real x, real as)
 {
+    real scratch[DEGREE_MAX + 1], slope, weight, change;
     for (int k = 0; k < 6; k++) {
-        struct ball value, slope;
-        component_at(g, as, &value, &slope);
-        real next = clamp(as + (x - value.mid) / slope.mid, 0, 1);
+        real value = bernstein_value_slope(g->n, g->c[0], as, scratch, &slope);
+        if (g->rational) {
+            weight = bernstein_value_slope(g->n, g->c[2], as, scratch, &change);
+            value = value / weight;
+            slope = (slope - value * change) / weight;
+        }
+        real next = clamp(as + (x - value) / slope, 0, 1);
         bool there = real_abs(next - as) <= 16 * REAL_EPSILON;
         as = next;
         if (there) {
@@ -233,7 +230,14 @@ bool gap_model_init(const struct source *free_of, const struct node *free_node, 
     out->swing = ball_most(px.c[SERIES]);
     out->noise = out->loose.error + out->graph.error;
     out->at = (real)0.5;
-    return centre(out, &range);
+    if (!centre(out, &range)) {
+        return false;
+    }
+    bool finite = true;
+    for (int k = 0; k <= SERIES; k++) {
+        finite = finite && out->gap.c[k].rad < REAL_HUGE && out->x.c[k].rad < REAL_HUGE;
+    }
+    return finite;
 }
 
 static int choose(int n, int k)
@@ -248,41 +252,30 @@ static int choose(int n, int k)
     return k < 0 || k > n ? 0 : pascal[n][k];
 }
 
-/* C(n, k) times coefficient i, in degree n on [-1, 1], of d^k: the mean of the products of k of n - i numbers -1 and i numbers
- * 1.  (Krawtchouk polynomials.) */
-static int power_coefficient(int n, int k, int i)
-{
-    int sum = 0;
-    for (int j = 0; j <= k; j++) {
-        int product = choose(i, j) * choose(n - i, k - j);
-        sum += (k - j) % 2 ? -product : product;
-    }
-    return sum;
-}
-
-/* About the middle, so that no coefficient of a power of d exceeds that power's largest value. */
+/* A polynomial in powers of d, about the middle of [lo, hi], by Horner's rule in Bernstein form: the product with d, whose
+ * coefficients are -half and half, has coefficient i of degree k + 1 the mean of half c[i-1] and -half c[i] with weights i /
+ * (k + 1) and 1 - i / (k + 1).  So no power of d counts for more than its largest value. */
 void gap_model_bernstein(const struct gap_model *c, int p, real lo, real hi, struct ball *out)
 {
     int n = SERIES - p;
-    struct ball a[SERIES + 1];
-    real shift = (lo + hi) / 2 - c->at, half = (hi - lo) / 2, power = 1;
+    struct ball a[SERIES + 1] = {{0, 0}};
+    real shift = (lo + hi) / 2 - c->at, half = (hi - lo) / 2;
     for (int k = 0; k <= n; k++) {
         a[k] = ball_multiply(c->gap.c[k + p], ball_of(choose(k + p, p), 0));
     }
-    for (int k = 0; k < n && shift != 0; k++) { /* by Horner */
+    for (int k = 0; k < n && shift != 0; k++) { /* to powers about the middle */
         for (int j = n - 1; j >= k; j--) {
             a[j] = ball_add(a[j], ball_multiply(a[j + 1], ball_of(shift, 0)));
         }
     }
-    for (int k = 0; k <= n; k++) {
-        a[k] = ball_multiply(a[k], ball_of(power, REAL_EPSILON * power * k));
-        power = power * half;
-    }
-    for (int i = 0; i <= n; i++) {
-        out[i] = ball_of(0, 0);
-        for (int k = 0; k <= n; k++) {
-            real share = (real)power_coefficient(n, k, i) / (real)choose(n, k);
-            out[i] = ball_add(out[i], ball_multiply(a[k], ball_of(share, REAL_EPSILON * real_abs(share))));
+    out[0] = a[n];
+    for (int k = 0; k < n; k++) {
+        out[k + 1] = ball_of(0, 0);
+        for (int i = k + 1; i >= 0; i--) {
+            real up = half * ((real)i / (real)(k + 1)), down = -half * ((real)(k + 1 - i) / (real)(k + 1));
+            struct ball left = i > 0 ? ball_multiply(out[i - 1], ball_of(up, REAL_EPSILON * up)) : ball_of(0, 0);
+            struct ball right = ball_multiply(out[i], ball_of(down, -REAL_EPSILON * down));
+            out[i] = ball_add(ball_add(left, right), a[n - 1 - k]);
         }
     }
 }
