@@ -87,14 +87,13 @@ static void source_of(const struct curve *c, real scale, real node_error, struct
     out->node_error = node_error;
 }
 
+/* The whole of c; it shares c's points, and is never written to. */
 static int root_make(struct tree *tree, const struct source *c)
 {
-    int k = node_new(tree), length = (c->rational ? 3 : 2) * (c->n + 1);
+    int k = node_new(tree);
     struct node *root = &tree->node[k];
-    for (int i = 0; i < length; i++) {
-        root->points[i] = c->points[i];
-    }
-    root->way = root->points + length;
+    root->way = root->points;
+    root->points = (real *)c->points;
     node_root(c, root);
     return k;
 }
@@ -249,7 +248,7 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
     const real small = (real)1 / 1024;
     struct graphs h;
     struct zero common;
-    if (strips_apart(v, f, g)) {
+    if (!f->wide && !g->wide && strips_apart(v, f, g)) {
         return CLOSED;
     }
     bool last = narrow_t(z, v, f) && narrow_s(z, v, g);

@@ -39,7 +39,7 @@ struct source {
 struct node {
     real lo, hi;
     real low[4], high[4];  /* of x, y, x + y, x - y: the exact arc lies between */
-    real *points;
+    real *points;          /* homogeneous, as in the source */
     int ways;              /* number of directions */
     real *way;             /* x[0..ways-1], y[0..ways-1] */
     real error;            /* of a coordinate of a direction */
@@ -110,7 +110,7 @@ void source_init(struct source *c, real scale, real *numbers);
 size_t source_length(int n);
 /* Cuts `to` from c over [lo, hi]; to->points and to->way are the caller's. */
 void node_cut(const struct source *c, real lo, real hi, struct node *to);
-/* The whole of c, whose points have been copied. */
+/* The whole of c; to->points are c's own. */
 void node_root(const struct source *c, struct node *to);
 /* Directions and what depends on them; each node once. */
 void node_prepare(const struct source *c, struct node *to);

@@ -28,11 +28,26 @@ static struct interval offsets(const struct source *c, const struct node *a, rea
     return r;
 }
 
+/* The same for polynomial cubics. */
+static struct interval offsets_cubic(const real *x, const real *y, real ux, real uy, real x0, real y0)
+{
+    real a = ux * (y[0] - y0) - uy * (x[0] - x0), b = ux * (y[1] - y0) - uy * (x[1] - x0);
+    real c = ux * (y[2] - y0) - uy * (x[2] - x0), d = ux * (y[3] - y0) - uy * (x[3] - x0);
+    struct interval r = {real_min(real_min(a, b), real_min(c, d)), real_max(real_max(a, b), real_max(c, d))};
+    return r;
+}
+
+static struct interval offsets_of(const struct source *c, const struct node *a, real ux, real uy, real x0, real y0)
+{
+    return c->n == 3 && !c->rational ? offsets_cubic(a->points, a->points + 4, ux, uy, x0, y0)
+                                     : offsets(c, a, ux, uy, x0, y0);
+}
+
 /* Along a's chord.  An offset errs by the points' 2 E |u|_1 (twice, for x0, y0) and 8 u S |u|_1 of rounding. */
 static bool apart_along(const struct source *c, const struct node *a, const struct source *d, const struct node *b)
 {
     real x0 = at_x(c, a, 0), y0 = at_y(c, a, 0), ux = at_x(c, a, c->n) - x0, uy = at_y(c, a, c->n) - y0;
-    struct interval own = offsets(c, a, ux, uy, x0, y0), other = offsets(d, b, ux, uy, x0, y0);
+    struct interval own = offsets_of(c, a, ux, uy, x0, y0), other = offsets_of(d, b, ux, uy, x0, y0);
     real bound = 4 * (c->node_error + d->node_error) * (real_abs(ux) + real_abs(uy));
     return own.lo - other.hi > bound || other.lo - own.hi > bound;
 }

@@ -25,23 +25,43 @@ static struct weights weights_of(const struct source *c)
     return w;
 }
 
+static inline void scaled_component(const int n, const real *c, real *value, real *slope, real *longest)
+{
+    real above = 1, below = 1; /* C(n, i), C(n-1, i) */
+    for (int i = 0; i < n; i++) {
+        real step = c[i + 1] - c[i];
+        value[i] = above * c[i];
+        slope[i] = below * (n * step);
+        *longest = real_max(*longest, real_abs(step));
+        above = above * (real)(n - i) / (real)(i + 1);
+        below = below * (real)(n - 1 - i) / (real)(i + 1);
+    }
+    value[n] = c[n];
+}
+
+static void cubic_component(const real *c, real *value, real *slope, real *longest)
+{
+    real a = c[1] - c[0], b = c[2] - c[1], d = c[3] - c[2];
+    value[0] = c[0];
+    value[1] = 3 * c[1];
+    value[2] = 3 * c[2];
+    value[3] = c[3];
+    slope[0] = 3 * a;
+    slope[1] = 6 * b;
+    slope[2] = 3 * d;
+    *longest = real_max(*longest, real_max(real_max(real_abs(a), real_abs(b)), real_abs(d)));
+}
+
 static void scaled_coefficients(struct source *c, real *longest)
 {
     int n = c->n;
-    real above = 1, below = 1; /* C(n, i), C(n-1, i) */
     *longest = 0;
-    for (int i = 0; i <= n; i++) {
-        for (int k = 0; k < (c->rational ? 3 : 2); k++) {
-            const real *from = c->points + k * (n + 1);
-            c->value[k * (n + 1) + i] = above * from[i];
-            if (i < n) {
-                real step = from[i + 1] - from[i];
-                c->slope[k * n + i] = below * (n * step);
-                *longest = real_max(*longest, real_abs(step));
-            }
+    for (int k = 0; k < (c->rational ? 3 : 2); k++) {
+        if (n == 3) {
+            cubic_component(c->points + k * 4, c->value + k * 4, c->slope + k * 3, longest);
+        } else {
+            scaled_component(n, c->points + k * (n + 1), c->value + k * (n + 1), c->slope + k * n, longest);
         }
-        above = above * (real)(n - i) / (real)(i + 1);
-        below = below * (real)(n - 1 - i) / (real)(i + 1);
     }
 }
 
