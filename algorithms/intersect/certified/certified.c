@@ -240,6 +240,49 @@ static void split(struct solver *z, const struct pair *at)
     }
 }
 
+/* The whole curve in 1, 2 or 4 parts by how far it is from straight; 0: no memory. */
+static int parts(struct tree *tree, const struct source *c, int root, bool least_two, int part[4])
+{
+    const struct node *a = &tree->node[root];
+    part[0] = root;
+    if (!least_two && 8 * a->bend <= 3 * c->n * (c->n - 1) * a->speed / 2) {
+        return 1;
+    }
+    int half = node_split(tree, c, root);
+    part[0] = half;
+    part[1] = half + 1;
+    if (!half || 2 * a->bend <= c->n * (c->n - 1) * a->speed) {
+        return half ? 2 : 0;
+    }
+    for (int k = 1; k >= 0; k--) {
+        int quarter = node_split(tree, c, half + k);
+        if (!quarter) {
+            return 0;
+        }
+        part[2 * k] = quarter;
+        part[2 * k + 1] = quarter + 1;
+    }
+    return 4;
+}
+
+/* The first split: all at once, so that parts far from each other never wait. */
+static bool split_root(struct solver *z, const struct pair *at)
+{
+    const struct level *v = &z->level[0];
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    int of_f[4], of_g[4];
+    bool larger_f = f->bend >= g->bend;
+    int n = parts(&z->f, &v->f, at->f, larger_f, of_f), m = parts(&z->g, &v->g, at->g, !larger_f, of_g);
+    for (int i = n - 1; i >= 0 && m > 0; i--) {
+        for (int k = m - 1; k >= 0; k--) {
+            if (nodes_meet(&z->f.node[of_f[i]], &z->g.node[of_g[k]])) {
+                pair_push(z, 0, of_f[i], of_g[k], 0);
+            }
+        }
+    }
+    return n > 0 && m > 0;
+}
+
 /* Arcs with parallel directions.  Looks for contacts rest for two splits when they fail. */
 static enum verdict settle_beside(struct solver *z, struct pair *at)
 {
@@ -374,7 +417,7 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
             continue;
         }
 #endif
-        if (settle(&z, &at) == OPEN) {
+        if (settle(&z, &at) == OPEN && !(at.level == 0 && at.f == z.root_f && at.g == z.root_g && split_root(&z, &at))) {
             split(&z, &at);
         }
     }
