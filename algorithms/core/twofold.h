@@ -1,8 +1,9 @@
 /* Numbers of twice the digits: unevaluated sums hi + lo with |lo| <= u |hi|, u = REAL_EPSILON / 2.
  *
- * From the exact sum and product of two reals (O. Moller 1965, D. Knuth 1969; T. Dekker 1971), which hold for every
- * binary arithmetic rounded to nearest, barring underflow and overflow.  Bounds of the operations: M. Joldes, J.-M.
- * Muller, V. Popescu, Tight and rigorous error bounds for basic building blocks of double-word arithmetic, 2017. */
+ * From the exact sum and product of two reals (O. Moller 1965, D. Knuth 1969; T. Dekker 1971), which hold for
+ * every binary arithmetic rounded to nearest, barring underflow and overflow.  Bounds of the operations: M.
+ * Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building blocks of double-word
+ * arithmetic, 2017. */
 #ifndef FATLINE_TWOFOLD_H
 #define FATLINE_TWOFOLD_H
 

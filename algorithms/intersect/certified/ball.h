@@ -1,7 +1,7 @@
 /* Numbers known to within a radius, and truncated power series of them.
  *
- * |exact - mid| <= rad.  Every operation adds the rounding of its result (u |mid|, u = REAL_EPSILON / 2) and enlarges the
- * radius by a factor that covers the radius's own rounding. */
+ * |exact - mid| <= rad.  Every operation adds the rounding of its result (u |mid|, u = REAL_EPSILON / 2) and
+ * enlarges the radius by a factor that covers the radius's own rounding. */
 #ifndef FATLINE_CERTIFIED_BALL_H
 #define FATLINE_CERTIFIED_BALL_H
 
@@ -65,7 +65,8 @@ struct series {
     struct ball c[SERIES + 1];
 };
 
-/* Sum of a[i] b[k - i] for i = from..k: the rounding of a sum of m products is at most (m + 1) u times their sizes. */
+/* Sum of a[i] b[k - i] for i = from..k: the rounding of a sum of m products is at most (m + 1) u times their
+ * sizes. */
 static inline struct ball series_term(const struct series *a, int from, const struct series *b, int k)
 {
     real mid = 0, rad = 0, size = 0;
@@ -124,8 +125,8 @@ static inline void series_compose(const struct series *outer, const struct serie
     *out = r;
 }
 
-/* y as a series in x - x[0]: g[0] = y[0], k g[k] the constant term of (d/dx)^k y / (k - 1)!, d/dx = (1 / x') d/dz.
- * x[1] does not contain 0. */
+/* y as a series in x - x[0]: g[0] = y[0], k g[k] the constant term of (d/dx)^k y / (k - 1)!, d/dx = (1 / x')
+ * d/dz. x[1] does not contain 0. */
 static inline void series_graph(const struct series *x, const struct series *y, struct series *g)
 {
     struct series one, now, slope;

@@ -3,21 +3,18 @@
  * Pairs of nodes, halved where they may meet.  A pair is closed as soon as something proves what it holds:
  *
  * - octagons apart: nothing (nodes.c);
- * - all directions cross all others the same way: at most one solution, decided, found and proved by Newton's method on
- *   the extended pair (cone.c, solve_one.c, ends.c);
- * - strips along the chords apart: nothing; arcs side by side that turn differently: none, two, or a contact (graphs.c,
- *   contact.c); a derivative of the gap of one sign: at most so many (cluster.c);
+ * - all directions cross all others the same way: at most one solution, decided, found and proved by Newton's
+ * method on the extended pair (cone.c, solve_one.c, ends.c);
+ * - strips along the chords apart: nothing; arcs side by side that turn differently: none, two, or a contact
+ * (graphs.c, contact.c); a derivative of the gap of one sign: at most so many (cluster.c);
  * - a shared arc (overlap.c).
  *
- * Where rounding hides what is there, the place is cut again with twice the digits (zoom.c).  What is still open when
- * both parameters are as narrow as asked is a CANDIDATE.  Every pair that leaves the stack is empty, or its solutions lie
- * in records: so do all. */
+ * Where rounding hides what is there, the place is cut again with twice the digits (zoom.c).  What is still
+ * open when both parameters are as narrow as asked is a CANDIDATE.  Every pair that leaves the stack is
+ * empty, or its solutions lie in records: so do all. */
 #include "graphs.h"
 
 enum { FIRST_LOOK = 64 }; /* steps before overlaps are looked for */
-#ifdef CERT_DEBUG
-#include <stdio.h>
-#endif
 
 /* ---- memory: one block of scratch, laid out by the degrees ---- */
 
@@ -118,170 +115,11 @@ static bool begin(struct solver *z)
     z->levels = 1;
     z->root_f = f;
     z->root_g = g;
-    return pair_push(z, 0, f, g, 0);
-}
-
-/* ---- the stack ---- */
-
-void record_add(struct solver *z, const struct crossing *c)
-{
-    bool narrow = c->t.hi - c->t.lo <= z->p->bounds.tolerance_t && c->s.hi - c->s.lo <= z->p->bounds.tolerance_s;
-    if (c->standing == CANDIDATE && !narrow && z->outcome == SOLVED) {
-        z->outcome = OUT_OF_STEPS;
-    }
-    crossings_add(z->out, c);
-}
-
-/* In a level that stands for something better, that is it. */
-static void accept(struct solver *z, const struct pair *at)
-{
-    const struct level *v = &z->level[at->level];
-    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    struct crossing c = {level_t(v, f->lo, f->hi), level_s(v, g->lo, g->hi), CANDIDATE, 0, 0};
-    if (at->level > 0 && v->otherwise.standing != CANDIDATE) {
-        level_give_up(z);
-    } else {
-        record_add(z, &c);
-    }
-}
-
-/* Pairs of deeper levels stay on top.  false: there is no room, and the pair has become a record */
-bool pair_push(struct solver *z, int level, int f, int g, int rest)
-{
-    struct pair at = {f, g, level, rest};
-    if (z->pairs == PAIRS_MAX) {
-        z->outcome = OUT_OF_ROOM;
-        accept(z, &at);
-        return false;
-    }
-    int place = z->pairs++;
-    for (; place > 0 && z->pair[place - 1].level > level; place--) {
-        z->pair[place] = z->pair[place - 1];
-    }
-    z->pair[place] = at;
-    for (int i = level + 1; i < z->levels; i++) {
-        z->level[i].pairs++;
-    }
+    pair_push(z, 0, f, g, 0);
     return true;
 }
 
 /* ---- one pair ---- */
-
-static bool narrow_t(const struct solver *z, const struct level *v, const struct node *f)
-{
-    return (v->t.hi - v->t.lo) * (f->hi - f->lo) <= z->p->bounds.tolerance_t;
-}
-
-static bool narrow_s(const struct solver *z, const struct level *v, const struct node *g)
-{
-    return (v->s.hi - v->s.lo) * (g->hi - g->lo) <= z->p->bounds.tolerance_s;
-}
-
-static real extent(const struct node *a)
-{
-    return real_max(a->high[0] - a->low[0], a->high[1] - a->low[1]);
-}
-
-/* No more than rounding is left of it. */
-static bool is_speck(const struct source *c, const struct node *a)
-{
-    return extent(a) <= 6 * c->node_error;
-}
-
-static int part_make(struct tree *tree, const struct source *c, const struct node *of, real x, real radius)
-{
-    int k = node_new(tree);
-    if (k) {
-        struct node *part = &tree->node[k];
-        part->way = part->points + (c->rational ? 3 : 2) * (c->n + 1);
-        node_cut(c, real_min(real_max(x - radius, of->lo), of->hi), real_max(real_min(x + radius, of->hi), of->lo), part);
-    }
-    return k;
-}
-
-enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct zero *x)
-{
-    const struct level *v = &z->level[at->level];
-    int f = part_make(&z->f, &v->f, &z->f.node[at->f], x->t, x->rt);
-    int g = part_make(&z->g, &v->g, &z->g.node[at->g], x->s, x->rs);
-    if (!f || !g) {
-        return OPEN;
-    }
-    if (nodes_meet(&z->f.node[f], &z->g.node[g])) {
-        pair_push(z, at->level, f, g, 0);
-    }
-    return CLOSED;
-}
-
-/* Halves the arc that is farther from straight. */
-static void split(struct solver *z, const struct pair *at)
-{
-    const struct level *v = &z->level[at->level];
-    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    bool done_f = narrow_t(z, v, f) || is_speck(&v->f, f), done_g = narrow_s(z, v, g) || is_speck(&v->g, g);
-    if (done_f && done_g) {
-        accept(z, at);
-        return;
-    }
-    bool of_f = f->bend != g->bend ? f->bend > g->bend : extent(f) >= extent(g);
-    of_f = done_f ? false : done_g ? true : of_f;
-    int first = of_f ? node_split(&z->f, &v->f, at->f) : node_split(&z->g, &v->g, at->g);
-    if (!first) {
-        z->outcome = OUT_OF_ROOM;
-        accept(z, at);
-        return;
-    }
-    int rest = at->rest > 0 ? at->rest - 1 : 0;
-    for (int k = 1; k >= 0; k--) {
-        const struct node *a = of_f ? &z->f.node[first + k] : f, *b = of_f ? g : &z->g.node[first + k];
-        if (nodes_meet(a, b)) {
-            pair_push(z, at->level, of_f ? first + k : at->f, of_f ? at->g : first + k, rest);
-        }
-    }
-}
-
-/* The whole curve in 1, 2 or 4 parts by how far it is from straight; 0: no memory. */
-static int parts(struct tree *tree, const struct source *c, int root, bool least_two, int part[4])
-{
-    const struct node *a = &tree->node[root];
-    part[0] = root;
-    if (!least_two && 8 * a->bend <= 3 * c->n * (c->n - 1) * a->speed / 2) {
-        return 1;
-    }
-    int half = node_split(tree, c, root);
-    part[0] = half;
-    part[1] = half + 1;
-    if (!half || 2 * a->bend <= c->n * (c->n - 1) * a->speed) {
-        return half ? 2 : 0;
-    }
-    for (int k = 1; k >= 0; k--) {
-        int quarter = node_split(tree, c, half + k);
-        if (!quarter) {
-            return 0;
-        }
-        part[2 * k] = quarter;
-        part[2 * k + 1] = quarter + 1;
-    }
-    return 4;
-}
-
-/* The first split: all at once, so that parts far from each other never wait. */
-static bool split_root(struct solver *z, const struct pair *at)
-{
-    const struct level *v = &z->level[0];
-    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    int of_f[4], of_g[4];
-    bool larger_f = f->bend >= g->bend;
-    int n = parts(&z->f, &v->f, at->f, larger_f, of_f), m = parts(&z->g, &v->g, at->g, !larger_f, of_g);
-    for (int i = n - 1; i >= 0 && m > 0; i--) {
-        for (int k = m - 1; k >= 0; k--) {
-            if (nodes_meet(&z->f.node[of_f[i]], &z->g.node[of_g[k]])) {
-                pair_push(z, 0, of_f[i], of_g[k], 0);
-            }
-        }
-    }
-    return n > 0 && m > 0;
-}
 
 /* Arcs with parallel directions.  Looks for contacts rest for two splits when they fail. */
 static enum verdict settle_beside(struct solver *z, struct pair *at)
@@ -299,7 +137,8 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
         return OPEN;
     }
     bool graphs = !f->wide && !g->wide && graphs_init(v, f, g, &h);
-    if (graphs && (h.apart || overlap_holds(z, at->level, f, g, &h) || contact_settle(z, at->level, f, g, &h) == CLOSED)) {
+    if (graphs && (h.apart || overlap_holds(z, at->level, f, g, &h) ||
+                   contact_settle(z, at->level, f, g, &h) == CLOSED)) {
         return CLOSED;
     }
     at->rest = 2;
@@ -377,6 +216,11 @@ static bool is_crowded(const struct tree *tree)
     return !tree->spare && tree->used + 8 >= NODES_MAX;
 }
 
+static bool is_root(const struct solver *z, const struct pair *at)
+{
+    return at->level == 0 && at->f == z->root_f && at->g == z->root_g;
+}
+
 static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
 {
     struct solver z;
@@ -397,7 +241,7 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
         }
         if (w->steps >= p->max_steps) {
             z.outcome = OUT_OF_STEPS;
-            accept(&z, &at);
+            pair_accept(&z, &at);
             continue;
         }
         w->steps++;
@@ -405,20 +249,8 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
             level_give_up(&z);
             continue;
         }
-#ifdef CERT_DEBUG
-        {
-            const struct level *v = &z.level[at.level];
-            const struct node *f = &z.f.node[at.f], *g = &z.g.node[at.g];
-            struct interval t = level_t(v, f->lo, f->hi), s = level_s(v, g->lo, g->hi);
-            int r = out->count, q = z.pairs;
-            int verdict = settle(&z, &at);
-            fprintf(stderr, "%s level %d t [%.17g %.17g] s [%.17g %.17g] -> %s, %d records, %d pairs\n", z.f.node[at.f].child ? "" : "", at.level, t.lo, t.hi, s.lo, s.hi, verdict ? "closed" : "open", out->count - r, z.pairs - q);
-            if (verdict == OPEN) split(&z, &at);
-            continue;
-        }
-#endif
-        if (settle(&z, &at) == OPEN && !(at.level == 0 && at.f == z.root_f && at.g == z.root_g && split_root(&z, &at))) {
-            split(&z, &at);
+        if (settle(&z, &at) == OPEN && !(is_root(&z, &at) && pair_split_root(&z, &at))) {
+            pair_split(&z, &at);
         }
     }
     return z.outcome;
@@ -428,7 +260,8 @@ extern const struct intersector certified;
 const struct intersector certified = {
     .name = "certified",
     .summary = "every crossing proved by cross products, every contact resolved or owned up to",
-    .reference = "this project; T. Sederberg and R. Meyers, Loop detection in surface patch intersections, 1988, for curves",
+    .reference = "here; cones of directions: Sederberg and Meyers, Loop detection in surface patch "
+                 "intersections, 1988",
     .claimed = {2, 0, 0, 0},
     .intersect = intersect,
     .scratch = scratch,

@@ -1,17 +1,15 @@
-/* Contacts of higher order, cusps, and arcs that nearly are one: by their gap as a polynomial with a remainder.
+/* Contacts of higher order, cusps, and arcs that nearly are one: by their gap as a polynomial with a
+ * remainder.
  *
- * G and its derivatives are enclosed by gap_model.c; solutions of the pair are zeros of G on the free node, one of
- * multiplicity k a zero of order k.  core/roots.c encloses all zeros of the polynomials within the radii of G's Bernstein
- * coefficients; the true G is, at every t, the value of one of them.  If there are none, the pair is empty.  Otherwise, for
- * each enclosure:
+ * G and its derivatives are enclosed by gap_model.c; solutions of the pair are zeros of G on the free node,
+ * one of multiplicity k a zero of order k.  core/roots.c encloses all zeros of the polynomials within the
+ * radii of G's Bernstein coefficients; the true G is, at every t, the value of one of them.  If there are
+ * none, the pair is empty.  Otherwise, for each enclosure:
  *
- * - if the remainder makes it wide, the pair is cut down to it and to where the graph has the same abscissas, and modelled
- *   again: like gap clipping, of order 6 / k at a solution of multiplicity k;
- * - if rounding does, and the p-th derivative has one sign on it, G has at most p zeros there, with multiplicity (Rolle): a
- *   CLUSTER of p; or for p = 1 a single zero. */
-#ifdef CERT_DEBUG
-#include <stdio.h>
-#endif
+ * - if the remainder makes it wide, the pair is cut down to it and to where the graph has the same abscissas,
+ * and modelled again: like gap clipping, of order 6 / k at a solution of multiplicity k;
+ * - if rounding does, and the p-th derivative has one sign on it, G has at most p zeros there, with
+ * multiplicity (Rolle): a CLUSTER of p; or for p = 1 a single zero. */
 #include "../../core/roots.h"
 #include "gap_model.h"
 
@@ -88,8 +86,8 @@ static void region_of(const struct gap_model *c, const struct stretch *s, const 
     out->rs = f_is_graph ? rt : rat;
 }
 
-static enum verdict settle_stretch(struct solver *z, const struct pair *at, const struct gap_model *c, bool f_is_graph,
-                                   const struct stretch *s)
+static enum verdict settle_stretch(struct solver *z, const struct pair *at, const struct gap_model *c,
+                                   bool f_is_graph, const struct stretch *s)
 {
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     const real worth = (real)0.5;
@@ -115,8 +113,8 @@ static enum verdict settle_stretch(struct solver *z, const struct pair *at, cons
 }
 
 /* Several: the pair is divided between them. */
-static enum verdict divide(struct solver *z, const struct pair *at, const struct gap_model *c, bool f_is_graph, int count,
-                           const struct stretch *s)
+static enum verdict divide(struct solver *z, const struct pair *at, const struct gap_model *c,
+                           bool f_is_graph, int count, const struct stretch *s)
 {
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     int pairs = z->pairs;
@@ -133,16 +131,11 @@ static enum verdict divide(struct solver *z, const struct pair *at, const struct
     return CLOSED;
 }
 
-static enum verdict settle_stretches(struct solver *z, const struct pair *at, const struct gap_model *c, bool f_is_graph)
+static enum verdict settle_stretches(struct solver *z, const struct pair *at, const struct gap_model *c,
+                                     bool f_is_graph)
 {
     struct stretch s[STRETCHES_MAX];
     int count = stretches(c, s);
-#ifdef CERT_DEBUG
-    fprintf(stderr, "cluster level %d t [%.8g +%.3g] s [%.8g +%.3g] graph %d count %d noise %g gap", at->level, z->f.node[at->f].lo, z->f.node[at->f].hi - z->f.node[at->f].lo, z->g.node[at->g].lo, z->g.node[at->g].hi - z->g.node[at->g].lo, f_is_graph, count, c->gap.c[0].rad);
-    for (int i = 0; i <= SERIES; i++) fprintf(stderr, " %.3g+-%.1g", c->gap.c[i].mid, c->gap.c[i].rad);
-    for (int i = 0; i < count; i++) fprintf(stderr, "; [%.5g %.5g] limited %d order %d", s[i].lo, s[i].hi, is_limited(c, &s[i]), order_on(c, &s[i]));
-    fprintf(stderr, "\n");
-#endif
     if (count == 0) {
         return CLOSED;
     }
@@ -156,7 +149,8 @@ enum verdict cluster_settle(struct solver *z, const struct pair *at)
     for (int way = 0; way < 2; way++) {
         struct gap_model c;
         bool f_is_graph = way;
-        bool made = f_is_graph ? gap_model_init(&v->g, g, &v->f, f, &c) : gap_model_init(&v->f, f, &v->g, g, &c);
+        bool made =
+            f_is_graph ? gap_model_init(&v->g, g, &v->f, f, &c) : gap_model_init(&v->f, f, &v->g, g, &c);
         if (made && settle_stretches(z, at, &c, f_is_graph) == CLOSED) {
             return CLOSED;
         }

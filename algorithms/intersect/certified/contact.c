@@ -1,19 +1,22 @@
 /* Two arcs that run side by side: the second-order test.
  *
- * As graphs over one direction both have y'' in a known range (graphs.c).  If the ranges are disjoint, extend each graph
- * past its ends with the second derivative it has there.  Then the gap D = y_f - y_g, or its negative, is strictly convex
- * on the whole line: D'' between m and M, m > 0, the distances of the ranges.  A solution in the nodes is a zero of D at
- * an x in common; so there are at most two, with multiplicity.  D has one least value; let x0 be a point of the common
- * range near it (the end of the range if it is beyond) and |D(x0) - d| <= e, |D'(x0) - k| <= e':
+ * As graphs over one direction both have y'' in a known range (graphs.c).  If the ranges are disjoint, extend
+ * each graph past its ends with the second derivative it has there.  Then the gap D = y_f - y_g, or its
+ * negative, is strictly convex on the whole line: D'' between m and M, m > 0, the distances of the ranges.  A
+ * solution in the nodes is a zero of D at an x in common; so there are at most two, with multiplicity.  D has
+ * one least value; let x0 be a point of the common range near it (the end of the range if it is beyond) and
+ * |D(x0) - d| <= e, |D'(x0) - k| <= e':
  *
- * - D(x) >= D(x0) - (D'(x0))^2 / (2m): if positive, there is no solution.  If x0 is the first end of the range and D'(x0) >=
- *   0, D >= D(x0) on it, likewise at the last.
- * - Solutions satisfy m dx^2 / 2 <= |D'(x0)| |dx| + |D(x0)|-: where D(x0) may be 0 they are all within rho = (K + sqrt(K^2 +
- *   2 m (e + |d|-))) / m of x0, K = |k| + e'.  That part is looked at closely (zoom.c), or is a CLUSTER of two.
- * - D(x0) < 0 surely: D falls before x0's side of its least value and rises after it, so each side has at most one zero.
- *   If D < 0 at the end of the common range on that side, there is none.  Else one is sought by Newton's method and proved
- *   by cone.c in a rectangle U around it.  D is monotone on the side, and the gap on U is monotone too, as the directions
- *   cross; the two overlap, so the gap is monotone on their union and has no zero but this one: the side is settled. */
+ * - D(x) >= D(x0) - (D'(x0))^2 / (2m): if positive, there is no solution.  If x0 is the first end of the
+ * range and D'(x0) >= 0, D >= D(x0) on it, likewise at the last.
+ * - Solutions satisfy m dx^2 / 2 <= |D'(x0)| |dx| + |D(x0)|-: where D(x0) may be 0 they are all within rho =
+ * (K + sqrt(K^2 + 2 m (e + |d|-))) / m of x0, K = |k| + e'.  That part is looked at closely (zoom.c), or is a
+ * CLUSTER of two.
+ * - D(x0) < 0 surely: D falls before x0's side of its least value and rises after it, so each side has at
+ * most one zero. If D < 0 at the end of the common range on that side, there is none.  Else one is sought by
+ * Newton's method and proved by cone.c in a rectangle U around it.  D is monotone on the side, and the gap on
+ * U is monotone too, as the directions cross; the two overlap, so the gap is monotone on their union and has
+ * no zero but this one: the side is settled. */
 #include "graphs.h"
 
 struct side {
@@ -22,9 +25,9 @@ struct side {
     const struct level *v;
     const struct node *f, *g;
     const struct graphs *h;
-    real sign;     /* D = sign (y_f - y_g) */
+    real sign; /* D = sign (y_f - y_g) */
     real m, M;
-    real middle;   /* a likely D'' */
+    real middle; /* a likely D'' */
 };
 
 static bool convex(const struct graphs *h, struct side *out)
@@ -134,7 +137,8 @@ static enum verdict settle_side(const struct side *c, const struct gap_view *at,
             return CLOSED;
         }
     }
-    return look_at(c, direction < 0 ? c->h->x.lo : c->h->x.hi, &now) && now.gap < -now.gap_error ? CLOSED : OPEN;
+    return look_at(c, direction < 0 ? c->h->x.lo : c->h->x.hi, &now) && now.gap < -now.gap_error ? CLOSED
+                                                                                                 : OPEN;
 }
 
 enum verdict contact_settle(struct solver *z, int level, const struct node *f, const struct node *g,

@@ -1,10 +1,11 @@
 /* Where a zero lies: inside, at an end of a domain, or at a cut between nodes.
  *
- * cone.c proves one zero of the *extended* nodes.  Well inside both nodes it is a solution, the only one there: UNIQUE.
- * Within its radius of an end of a domain it may be outside: END.  Within its radius of a cut inside the domain it
- * may belong to the neighbour, and its extension may not even be a zero of the curves; so larger nodes are cut with the zero
- * in their middle, and the test is made there.  The rectangle of these nodes then holds this zero and no other: a neighbour
- * that finds it again has its zero in that rectangle, and adds nothing. */
+ * cone.c proves one zero of the *extended* nodes.  Well inside both nodes it is a solution, the only one
+ * there: UNIQUE. Within its radius of an end of a domain it may be outside: END.  Within its radius of a cut
+ * inside the domain it may belong to the neighbour, and its extension may not even be a zero of the curves;
+ * so larger nodes are cut with the zero in their middle, and the test is made there.  The rectangle of these
+ * nodes then holds this zero and no other: a neighbour that finds it again has its zero in that rectangle,
+ * and adds nothing. */
 #include "evaluate.h"
 
 /* ---- parameters of the problem ---- */
@@ -111,7 +112,8 @@ static struct interval around(const struct interval *span, real x, real radius)
     return a;
 }
 
-/* One zero, at x: a record, or if it is wider than asked for, a closer look.  Returns the level of that look, or 0. */
+/* One zero, at x: a record, or if it is wider than asked for, a closer look.  Returns the level of that look,
+ * or 0. */
 static int report(struct solver *z, int level, const struct zero *x)
 {
     const struct level *v = &z->level[level];
@@ -124,7 +126,8 @@ static int report(struct solver *z, int level, const struct zero *x)
     }
     cut_off(&c.t);
     cut_off(&c.s);
-    if ((c.t.hi - c.t.lo > b->tolerance_t || c.s.hi - c.s.lo > b->tolerance_s) && zoom(z, level, x, shorter, &c)) {
+    if ((c.t.hi - c.t.lo > b->tolerance_t || c.s.hi - c.s.lo > b->tolerance_s) &&
+        zoom(z, level, x, shorter, &c)) {
         return z->levels - 1;
     }
     record_add(z, &c);
@@ -132,8 +135,8 @@ static int report(struct solver *z, int level, const struct zero *x)
 }
 
 /* Nodes over (t +- wt) x (s +- ws) and the zero in them, if there is just one. */
-static enum search search_around(struct solver *z, int level, real t, real s, real wt, real ws, struct node *f,
-                                 struct node *g, struct zero *x)
+static enum search search_around(struct solver *z, int level, real t, real s, real wt, real ws,
+                                 struct node *f, struct node *g, struct zero *x)
 {
     const struct level *v = &z->level[level];
     real numbers[2][7 * DEGREE_MAX + 3];
@@ -151,11 +154,13 @@ static enum search search_around(struct solver *z, int level, real t, real s, re
     return found;
 }
 
-enum search zero_prove(struct solver *z, int level, const struct zero *x, real wt, real ws, struct zero *found)
+enum search zero_prove(struct solver *z, int level, const struct zero *x, real wt, real ws,
+                       struct zero *found)
 {
     enum { TRIES = 4, SMALLER = 4 };
     const struct level *v = &z->level[level];
-    for (int k = 0; k < TRIES && wt > 2 * x->rt && ws > 2 * x->rs; k++, wt = wt / SMALLER, ws = ws / SMALLER) {
+    for (int k = 0; k < TRIES && wt > 2 * x->rt && ws > 2 * x->rs;
+         k++, wt = wt / SMALLER, ws = ws / SMALLER) {
         struct node f, g;
         enum search search = search_around(z, level, x->t, x->s, wt, ws, &f, &g, found);
         if (search == NO_ZERO) {
@@ -189,7 +194,9 @@ enum verdict zero_settle(struct solver *z, int level, const struct node *f, cons
         struct zero found;
         real share = (real)0.25;
         /* a solution in the nodes is the zero x, which lies in the larger ones too */
-        return zero_prove(z, level, x, share * (f->hi - f->lo), share * (g->hi - g->lo), &found) == STUCK ? OPEN : CLOSED;
+        return zero_prove(z, level, x, share * (f->hi - f->lo), share * (g->hi - g->lo), &found) == STUCK
+                   ? OPEN
+                   : CLOSED;
     }
     if (z->solved > 0) {
         struct interval nt = level_t(v, f->lo, f->hi), ns = level_s(v, g->lo, g->hi);
@@ -214,8 +221,8 @@ static bool is_cut(const struct interval *span, real x, real radius)
     return (span->lo > 0 && x - radius < 0) || (span->hi < 1 && x + radius > 1);
 }
 
-/* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if not, a level with
- * it in its middle is made. */
+/* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if
+ * not, a level with it in its middle is made. */
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                            const struct zero *x, int at_most, bool exists)
 {

@@ -1,16 +1,18 @@
 /* The gap between two arcs as a polynomial of one parameter with a remainder.
  *
- * One node, the graph, is y = gamma(x) over its chord's direction.  The other, the free one, may be anything, a cusp too.
- * With its points (X(t), Y(t)) in that frame, solutions are zeros of G(t) = Y(t) - gamma(X(t)).  Past its ends gamma is
- * continued by its Taylor polynomials of degree SERIES there; so G is defined, and has SERIES derivatives, on the whole free
- * node.  With d = t - 1/2 in the free node's own parameter, by Taylor's theorem for G and for its derivatives,
+ * One node, the graph, is y = gamma(x) over its chord's direction.  The other, the free one, may be anything,
+ * a cusp too. With its points (X(t), Y(t)) in that frame, solutions are zeros of G(t) = Y(t) - gamma(X(t)).
+ * Past its ends gamma is continued by its Taylor polynomials of degree SERIES there; so G is defined, and has
+ * SERIES derivatives, on the whole free node.  With d = t - 1/2 in the free node's own parameter, by Taylor's
+ * theorem for G and for its derivatives,
  *
- *     G(t) = G_0 + G_1 d + ... + G_5 d^5 + G_6 d^6,    G^(p)(t) / p! = sum over k >= p of C(k, p) G_k d^(k-p),
+ *     G(t) = G_0 + G_1 d + ... + G_5 d^5 + G_6 d^6,    G^(p)(t) / p! = sum over k >= p of C(k, p) G_k
+ * d^(k-p),
  *
- * G_0 to G_5 its Taylor coefficients at 1/2 and G_6 one at some place of the node, another at each t: all enclosed in
- * balls.  Of the derivatives of the points: over the whole node by the range of the control points' differences, at 1/2 by de
- * Casteljau's algorithm; the rest is composition of power series.  What two arcs have in common cancels in G_0 to G_5; their
- * remainder falls with the sixth power of the width. */
+ * G_0 to G_5 its Taylor coefficients at 1/2 and G_6 one at some place of the node, another at each t: all
+ * enclosed in balls.  Of the derivatives of the points: over the whole node by the range of the control
+ * points' differences, at 1/2 by de Casteljau's algorithm; the rest is composition of power series.  What two
+ * arcs have in common cancels in G_0 to G_5; their remainder falls with the sixth power of the width. */
 #include "gap_model.h"
 
 #include "../../core/bernstein.h"
@@ -42,7 +44,8 @@ static real weight_of(const struct framed *a)
     return most;
 }
 
-/* Range of the k-th Taylor coefficient C(n, k) (k-th differences) over the node if at < 0, else its value at `at`. */
+/* Range of the k-th Taylor coefficient C(n, k) (k-th differences) over the node if at < 0, else its value at
+ * `at`. */
 static void component_series(const struct framed *a, int component, real at, real error, struct series *out)
 {
     real d[DEGREE_MAX + 1], v[DEGREE_MAX + 1], many = 1;
@@ -124,8 +127,8 @@ static bool graph_series(const struct framed *graph, real at, struct series *gam
     return true;
 }
 
-/* Past the ends, up to `beyond`, by Taylor polynomials: the j-th coefficient changes by sum over i > j of C(i, j) gamma_i
- * beyond^(i-j). */
+/* Past the ends, up to `beyond`, by Taylor polynomials: the j-th coefficient changes by sum over i > j of
+ * C(i, j) gamma_i beyond^(i-j). */
 static void graph_continue(struct series *gamma, real beyond)
 {
     for (int j = 0; j < SERIES && beyond > 0; j++) {
@@ -139,7 +142,8 @@ static void graph_continue(struct series *gamma, real beyond)
 }
 
 /* The constant terms of G are left out. */
-static void subtract_graph(const struct series *x, const struct series *y, const struct series *gamma, struct series *out)
+static void subtract_graph(const struct series *x, const struct series *y, const struct series *gamma,
+                           struct series *out)
 {
     struct series below;
     series_compose(gamma, x, &below);
@@ -180,8 +184,9 @@ static real graph_parameter(const struct framed *g, real x, real as)
     return as;
 }
 
-/* The Taylor coefficients of G at `at`.  gamma's series belongs to the abscissa of `as`, which is h less than X(at): its
- * coefficients at X(at) differ by less than |h| (j + 1) gamma_(j+1) over the node, and G_0 by gamma_1 h + gamma_2 h^2. */
+/* The Taylor coefficients of G at `at`.  gamma's series belongs to the abscissa of `as`, which is h less than
+ * X(at): its coefficients at X(at) differ by less than |h| (j + 1) gamma_(j+1) over the node, and G_0 by
+ * gamma_1 h + gamma_2 h^2. */
 static bool centre(struct gap_model *c, const struct series *range)
 {
     struct series y, gamma;
@@ -252,9 +257,10 @@ static int choose(int n, int k)
     return k < 0 || k > n ? 0 : pascal[n][k];
 }
 
-/* A polynomial in powers of d, about the middle of [lo, hi], by Horner's rule in Bernstein form: the product with d, whose
- * coefficients are -half and half, has coefficient i of degree k + 1 the mean of half c[i-1] and -half c[i] with weights i /
- * (k + 1) and 1 - i / (k + 1).  So no power of d counts for more than its largest value. */
+/* A polynomial in powers of d, about the middle of [lo, hi], by Horner's rule in Bernstein form: the product
+ * with d, whose coefficients are -half and half, has coefficient i of degree k + 1 the mean of half c[i-1]
+ * and -half c[i] with weights i / (k + 1) and 1 - i / (k + 1).  So no power of d counts for more than its
+ * largest value. */
 void gap_model_bernstein(const struct gap_model *c, int p, real lo, real hi, struct ball *out)
 {
     int n = SERIES - p;
@@ -273,15 +279,16 @@ void gap_model_bernstein(const struct gap_model *c, int p, real lo, real hi, str
         out[k + 1] = ball_of(0, 0);
         for (int i = k + 1; i >= 0; i--) {
             real up = half * ((real)i / (real)(k + 1)), down = -half * ((real)(k + 1 - i) / (real)(k + 1));
-            struct ball left = i > 0 ? ball_multiply(out[i - 1], ball_of(up, REAL_EPSILON * up)) : ball_of(0, 0);
+            struct ball left =
+                i > 0 ? ball_multiply(out[i - 1], ball_of(up, REAL_EPSILON * up)) : ball_of(0, 0);
             struct ball right = ball_multiply(out[i], ball_of(down, -REAL_EPSILON * down));
             out[i] = ball_add(ball_add(left, right), a[n - 1 - k]);
         }
     }
 }
 
-/* With c the middle of [lo, hi], r half its width and D the largest |d| in it: |X(t) - X(c)| <= sum of k |X_k| D^(k-1) r, k <
- * SERIES, and the last terms of both. */
+/* With c the middle of [lo, hi], r half its width and D the largest |d| in it: |X(t) - X(c)| <= sum of k
+ * |X_k| D^(k-1) r, k < SERIES, and the last terms of both. */
 void gap_model_place(const struct gap_model *c, real lo, real hi, real *as, real *rs)
 {
     real middle = (lo + hi) / 2, r = (hi - lo) / 2, step = middle - c->at, most = real_abs(step) + r;
@@ -297,5 +304,6 @@ void gap_model_place(const struct gap_model *c, real lo, real hi, real *as, real
     *as = graph_parameter(&c->graph, x, c->as);
     struct ball gx, slope;
     component_at(&c->graph, *as, &gx, &slope);
-    *rs = (more + real_abs(x - gx.mid) + gx.rad + 16 * REAL_EPSILON * ball_most(gx)) / c->run * (1 + 64 * REAL_EPSILON);
+    *rs = (more + real_abs(x - gx.mid) + gx.rad + 16 * REAL_EPSILON * ball_most(gx)) / c->run *
+          (1 + 64 * REAL_EPSILON);
 }

@@ -17,12 +17,12 @@ struct framed {
 struct gap_model {
     struct framed graph, loose;
     struct series gap;
-    struct series x;  /* X at `at` */
-    real noise;       /* of points: what cannot be told from 0 */
-    real swing;       /* the last coefficient of X over the node, at most */
-    real run;         /* |X'| of the graph, at least */
-    real at, as;      /* parameters of about the same abscissa */
-    real off;         /* how far these are apart in x, at most */
+    struct series x; /* X at `at` */
+    real noise;      /* of points: what cannot be told from 0 */
+    real swing;      /* the last coefficient of X over the node, at most */
+    real run;        /* |X'| of the graph, at least */
+    real at, as;     /* parameters of about the same abscissa */
+    real off;        /* how far these are apart in x, at most */
 };
 
 /* false: the graph is none. */

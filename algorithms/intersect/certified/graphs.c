@@ -16,7 +16,8 @@ static real at_y(const struct source *c, const struct node *a, int i)
 }
 
 /* Range of the offsets ux (y - y0) - uy (x - x0) of a's control points. */
-static struct interval offsets(const struct source *c, const struct node *a, real ux, real uy, real x0, real y0)
+static struct interval offsets(const struct source *c, const struct node *a, real ux, real uy, real x0,
+                               real y0)
 {
     real d = ux * (at_y(c, a, 0) - y0) - uy * (at_x(c, a, 0) - x0);
     struct interval r = {d, d};
@@ -37,14 +38,17 @@ static struct interval offsets_cubic(const real *x, const real *y, real ux, real
     return r;
 }
 
-static struct interval offsets_of(const struct source *c, const struct node *a, real ux, real uy, real x0, real y0)
+static struct interval offsets_of(const struct source *c, const struct node *a, real ux, real uy, real x0,
+                                  real y0)
 {
     return c->n == 3 && !c->rational ? offsets_cubic(a->points, a->points + 4, ux, uy, x0, y0)
                                      : offsets(c, a, ux, uy, x0, y0);
 }
 
-/* Along a's chord.  An offset errs by the points' 2 E |u|_1 (twice, for x0, y0) and 8 u S |u|_1 of rounding. */
-static bool apart_along(const struct source *c, const struct node *a, const struct source *d, const struct node *b)
+/* Along a's chord.  An offset errs by the points' 2 E |u|_1 (twice, for x0, y0) and 8 u S |u|_1 of rounding.
+ */
+static bool apart_along(const struct source *c, const struct node *a, const struct source *d,
+                        const struct node *b)
 {
     real x0 = at_x(c, a, 0), y0 = at_y(c, a, 0), ux = at_x(c, a, c->n) - x0, uy = at_y(c, a, c->n) - y0;
     struct interval own = offsets_of(c, a, ux, uy, x0, y0), other = offsets_of(d, b, ux, uy, x0, y0);
@@ -76,8 +80,8 @@ static bool run_of(const struct node *a, real ex, real ey, real sign, struct int
     return 8 * run->lo > run->hi;
 }
 
-/* With N of degree d = ways - 1: cross(N, N') = d sum of B(k, 2d-2) K[k], K as in nodes.c with (x, y) for (x, w): weights
- * C(d-1,i) C(d-1,k-i) / C(2d-2,k) times x[i] y[k-i+1] - x[i+1] y[k-i]. */
+/* With N of degree d = ways - 1: cross(N, N') = d sum of B(k, 2d-2) K[k], K as in nodes.c with (x, y) for (x,
+ * w): weights C(d-1,i) C(d-1,k-i) / C(2d-2,k) times x[i] y[k-i+1] - x[i+1] y[k-i]. */
 static struct interval turn_of(const struct node *a)
 {
     int d = a->ways - 1;
@@ -100,8 +104,8 @@ static struct interval turn_of(const struct node *a)
     return r;
 }
 
-/* y'' by x is cross(f', f'') / (e . f')^3 = d K / (pace (e . N)^3).  K errs by (d + 8) e V: 4 e V by the directions' errors
- * e, (4 d + 16) 2 u V^2 <= (d + 4) e V by rounding, since u V <= e / 8. */
+/* y'' by x is cross(f', f'') / (e . f')^3 = d K / (pace (e . N)^3).  K errs by (d + 8) e V: 4 e V by the
+ * directions' errors e, (4 d + 16) 2 u V^2 <= (d + 4) e V by rounding, since u V <= e / 8. */
 static struct interval curvature_of(const struct node *a, const struct interval *run, real sign)
 {
     struct interval out = {0, 0};
@@ -116,7 +120,8 @@ static struct interval curvature_of(const struct node *a, const struct interval 
         lo = -hi;
         hi = -swap;
     }
-    real least = a->pace_lo * (run->lo * run->lo * run->lo), most = a->pace_hi * (run->hi * run->hi * run->hi);
+    real least = a->pace_lo * (run->lo * run->lo * run->lo),
+         most = a->pace_hi * (run->hi * run->hi * run->hi);
     out.lo = d * lo / (lo > 0 ? most : least);
     out.hi = d * hi / (hi > 0 ? least : most);
     real slack = 32 * REAL_EPSILON;
@@ -146,14 +151,16 @@ bool graphs_init(const struct level *v, const struct node *f, const struct node 
     ey = ey / length;
     out->ex = ex;
     out->ey = ey;
-    if (!(length > (real)0.5) || !run_of(f, ex, ey, 1, &out->run_f) || !run_of(g, ex, ey, out->sign, &out->run_g)) {
+    if (!(length > (real)0.5) || !run_of(f, ex, ey, 1, &out->run_f) ||
+        !run_of(g, ex, ey, out->sign, &out->run_g)) {
         return false;
     }
     out->curve_f = curvature_of(f, &out->run_f, 1);
     out->curve_g = curvature_of(g, &out->run_g, out->sign);
     run_localize(f, &out->run_f);
     run_localize(g, &out->run_g);
-    real most = real_max(real_max(out->curve_f.hi, -out->curve_f.lo), real_max(out->curve_g.hi, -out->curve_g.lo));
+    real most =
+        real_max(real_max(out->curve_f.hi, -out->curve_f.lo), real_max(out->curve_g.hi, -out->curve_g.lo));
     out->bend = most;
     /* the common part in x, from end points that err by the nodes' errors */
     bool ahead = out->sign > 0;
@@ -171,12 +178,15 @@ bool graphs_init(const struct level *v, const struct node *f, const struct node 
     return true;
 }
 
-/* Parameters of an arc whose abscissa x, increasing, lies in [lo, hi]: from each end by the largest and the least |x'|. */
-static struct interval abscissas(const struct node *a, const struct interval *x, const struct interval *run, real lo,
-                                 real hi)
+/* Parameters of an arc whose abscissa x, increasing, lies in [lo, hi]: from each end by the largest and the
+ * least |x'|. */
+static struct interval abscissas(const struct node *a, const struct interval *x, const struct interval *run,
+                                 real lo, real hi)
 {
-    real from_start = real_max(lo - x->lo, (real)0) / run->hi, from_end = real_max(x->hi - hi, (real)0) / run->hi;
-    real before_end = real_max(x->hi - lo, (real)0) / run->lo, after_start = real_max(hi - x->lo, (real)0) / run->lo;
+    real from_start = real_max(lo - x->lo, (real)0) / run->hi,
+         from_end = real_max(x->hi - hi, (real)0) / run->hi;
+    real before_end = real_max(x->hi - lo, (real)0) / run->lo,
+         after_start = real_max(hi - x->lo, (real)0) / run->lo;
     struct interval out;
     out.lo = real_max(a->lo + from_start, a->hi - before_end);
     out.hi = real_min(a->hi - from_end, a->lo + after_start);
@@ -188,7 +198,8 @@ bool graphs_common(const struct node *f, const struct node *g, const struct grap
 {
     const real worth = (real)0.5;
     real pad = 2 * h->x_error + real_ldexp(1, -REAL_BITS / 4), lo = h->x.lo - pad, hi = h->x.hi + pad;
-    struct interval t = abscissas(f, &h->x_f, &h->run_f, lo, hi), s = abscissas(g, &h->x_g, &h->run_g, lo, hi);
+    struct interval t = abscissas(f, &h->x_f, &h->run_f, lo, hi),
+                    s = abscissas(g, &h->x_g, &h->run_g, lo, hi);
     if (h->sign < 0) { /* g runs backwards */
         real first = g->lo + (g->hi - s.hi);
         s.hi = g->hi - (s.lo - g->lo);
@@ -205,7 +216,8 @@ bool graphs_common(const struct node *f, const struct node *g, const struct grap
 
 /* With r = f(t) - g(s) in the frame, (hx, hy), and slopes y' of both: the gap at X_f(t) is
  *     y_f - y_g(X_f) = hy - y_g' hx - y_g'' hx^2 / 2,   its slope y_f' - y_g' - y_g'' hx.
- * Noise: E in each coordinate, |e|_1 <= 1.5; slopes err by 1.5 (1 + |y'|) slope noise / x', and 8 u of themselves. */
+ * Noise: E in each coordinate, |e|_1 <= 1.5; slopes err by 1.5 (1 + |y'|) slope noise / x', and 8 u of
+ * themselves. */
 void gap_look(const struct level *v, const struct graphs *h, real t, real s, struct gap_view *out)
 {
     struct spot p, q;
@@ -216,7 +228,8 @@ void gap_look(const struct level *v, const struct graphs *h, real t, real s, str
     out->s = s;
     out->run_f = h->ex * p.dx + h->ey * p.dy;
     out->run_g = h->ex * q.dx + h->ey * q.dy;
-    real slope_f = cross(h->ex, h->ey, p.dx, p.dy) / out->run_f, slope_g = cross(h->ex, h->ey, q.dx, q.dy) / out->run_g;
+    real slope_f = cross(h->ex, h->ey, p.dx, p.dy) / out->run_f,
+         slope_g = cross(h->ex, h->ey, q.dx, q.dy) / out->run_g;
     real noise = v->f.noise + v->g.noise, steep = 1 + real_abs(slope_f) + real_abs(slope_g);
     out->x = h->ex * p.x + h->ey * p.y;
     out->hx = h->ex * rx + h->ey * ry;
@@ -225,7 +238,8 @@ void gap_look(const struct level *v, const struct graphs *h, real t, real s, str
     out->slope = slope_f - slope_g;
     out->slope_error = h->bend * real_abs(out->hx) + 8 * REAL_EPSILON * steep +
                        (real)1.5 * steep * (v->f.slope_noise / h->run_f.lo + v->g.slope_noise / h->run_g.lo);
-    out->gap_error = (real)1.5 * noise * steep + real_abs(out->hx) * (out->slope_error + 8 * REAL_EPSILON * steep) +
+    out->gap_error = (real)1.5 * noise * steep +
+                     real_abs(out->hx) * (out->slope_error + 8 * REAL_EPSILON * steep) +
                      8 * REAL_EPSILON * real_abs(hy);
     out->noise = noise;
 }
@@ -240,7 +254,8 @@ void gap_start(const struct node *f, const struct node *g, const struct graphs *
     *s = clamp(g->lo + (g->hi - g->lo) * of_g, g->lo, g->hi);
 }
 
-void gap_step(const struct node *f, const struct node *g, real x, const struct gap_view *from, real *t, real *s)
+void gap_step(const struct node *f, const struct node *g, real x, const struct gap_view *from, real *t,
+              real *s)
 {
     *t = clamp(from->t + (x - from->x) / from->run_f, f->lo, f->hi);
     *s = clamp(from->s + (x - from->x + from->hx) / from->run_g, g->lo, g->hi);
@@ -248,11 +263,12 @@ void gap_step(const struct node *f, const struct node *g, real x, const struct g
 
 bool gap_is_level(const struct graphs *h, const struct gap_view *at)
 {
-    return 8 * (h->bend * at->hx * at->hx) <= at->noise && 8 * real_abs(at->hx) * at->slope_error <= at->noise;
+    return 8 * (h->bend * at->hx * at->hx) <= at->noise &&
+           8 * real_abs(at->hx) * at->slope_error <= at->noise;
 }
 
-bool gap_look_at(const struct level *v, const struct node *f, const struct node *g, const struct graphs *h, real x,
-                 struct gap_view *out)
+bool gap_look_at(const struct level *v, const struct node *f, const struct node *g, const struct graphs *h,
+                 real x, struct gap_view *out)
 {
     real t, s;
     gap_start(f, g, h, x, &t, &s);

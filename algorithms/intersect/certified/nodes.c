@@ -13,8 +13,8 @@ static inline void widen(struct node *to, real x, real y)
     }
 }
 
-/* x and y err by node_error E, quotients by u S more; x + y and x - y by 2 E and 2 u S of rounding, and u S <= E /
- * 13. */
+/* x and y err by node_error E, quotients by u S more; x + y and x - y by 2 E and 2 u S of rounding, and u S
+ * <= E / 13. */
 static inline void octagon(const struct source *c, const int n, struct node *to)
 {
     const real *x = to->points, *y = x + n + 1, *w = y + n + 1;
@@ -70,8 +70,8 @@ void node_cut(const struct source *c, real lo, real hi, struct node *to)
 
 /* ---- directions ---- */
 
-/* Rounding: a direction errs by 2 E and by u of itself, at most 4 u S <= E / 3.  The second differences by 4 E, and so
- * does f'' / (n (n - 1)). */
+/* Rounding: a direction errs by 2 E and by u of itself, at most 4 u S <= E / 3.  The second differences by 4
+ * E, and so does f'' / (n (n - 1)). */
 static inline void prepare_polynomial(const struct source *c, const int n, struct node *to)
 {
     const real *x = to->points, *y = x + n + 1;
@@ -94,8 +94,9 @@ static inline void prepare_polynomial(const struct source *c, const int n, struc
     to->wide = back;
 }
 
-/* X = (1-t) X0 + t X1 with X0 = sum x[i] B(i,n-1), X1 = sum x[i+1] B(i,n-1), W likewise: then X'W - XW' = n (X1 W0 - X0
- * W1).  Terms of one coefficient: x[i+1] w[j] - x[i] w[j+1], weights C(n-1,i) C(n-1,j) / C(2n-2,i+j) of sum 1. */
+/* X = (1-t) X0 + t X1 with X0 = sum x[i] B(i,n-1), X1 = sum x[i+1] B(i,n-1), W likewise: then X'W - XW' = n
+ * (X1 W0 - X0 W1).  Terms of one coefficient: x[i+1] w[j] - x[i] w[j+1], weights C(n-1,i) C(n-1,j) /
+ * C(2n-2,i+j) of sum 1. */
 static void numerators(int n, const real *x, const real *w, real *out)
 {
     for (int k = 0; k <= 2 * n - 2; k++) {
@@ -121,9 +122,9 @@ void direction_turn(const struct node *a, real *out)
     }
 }
 
-/* With w the node's largest weight, |x|, |y| <= S w, each known to E w / 2 and w to E w / (2 S): a product errs by E w^2,
- * the difference of two by 2 E w^2, its rounding by (4 n + 16) u S w^2 <= E w^2 / 2.
- * f' = n N / W^2, f'' = n N' / W^2 - 2 n N W' / W^3, with N' of degree 2n - 3 and |W'| <= n max |w[i+1] - w[i]|. */
+/* With w the node's largest weight, |x|, |y| <= S w, each known to E w / 2 and w to E w / (2 S): a product
+ * errs by E w^2, the difference of two by 2 E w^2, its rounding by (4 n + 16) u S w^2 <= E w^2 / 2. f' = n N
+ * / W^2, f'' = n N' / W^2 - 2 n N W' / W^3, with N' of degree 2n - 3 and |W'| <= n max |w[i+1] - w[i]|. */
 static void prepare_rational(const struct source *c, struct node *to)
 {
     int n = c->n, ways = 2 * n - 1;
@@ -153,8 +154,8 @@ static void prepare_rational(const struct source *c, struct node *to)
     to->speed = speed + 2 * to->error;
     turn = (2 * n - 2) * (turn + 2 * to->error);
     change = n * (change + 2 * c->node_error * most);
-    to->bend = n * (1 + 32 * REAL_EPSILON) *
-               (turn + 2 * (longest + to->error) * change / least) / (least * least);
+    to->bend =
+        n * (1 + 32 * REAL_EPSILON) * (turn + 2 * (longest + to->error) * change / least) / (least * least);
     to->pace_lo = n / (most * most) * (1 - 4 * REAL_EPSILON);
     to->pace_hi = n / (least * least) * (1 + 4 * REAL_EPSILON);
     to->ways = ways;

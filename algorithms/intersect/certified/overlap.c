@@ -1,13 +1,14 @@
 /* Shared arcs: found from their ends, removed from what the cells have to settle.
  *
- * Two arcs of algebraic curves that agree at infinitely many points lie on one curve, and agree until one of them ends.  So
- * both ends of a shared arc are ends of f or of g: each end of either curve is sought on the other, and every two such
- * places are tried as the ends of one (overlap_compare.c).
+ * Two arcs of algebraic curves that agree at infinitely many points lie on one curve, and agree until one of
+ * them ends.  So both ends of a shared arc are ends of f or of g: each end of either curve is sought on the
+ * other, and every two such places are tried as the ends of one (overlap_compare.c).
  *
- * Then the search begins anew.  Let a pair be two graphs over one direction (graphs.c): every x has at most one t and one s, so
- * that all solutions in it lie on the curve in the parameter plane where the abscissas agree.  If they agree within the
- * overlap's rectangle all along the common range, all solutions of the pair are in that rectangle, and the record holds them.
- * To leave other solutions in that rectangle alone, the gap must be closed in the middle and at both ends of the range. */
+ * Then the search begins anew.  Let a pair be two graphs over one direction (graphs.c): every x has at most
+ * one t and one s, so that all solutions in it lie on the curve in the parameter plane where the abscissas
+ * agree.  If they agree within the overlap's rectangle all along the common range, all solutions of the pair
+ * are in that rectangle, and the record holds them. To leave other solutions in that rectangle alone, the gap
+ * must be closed in the middle and at both ends of the range. */
 #include "graphs.h"
 #include "overlap.h"
 
@@ -41,8 +42,8 @@ static real square_distance(const struct source *c, real t, real x, real y)
 }
 
 /* Where `other` passes within `near` of an end of c. */
-static void places_of_end(const struct source *c, real end, const struct source *other, real near, bool c_is_f,
-                          struct places *out)
+static void places_of_end(const struct source *c, real end, const struct source *other, real near,
+                          bool c_is_f, struct places *out)
 {
     struct spot p;
     int steps = 6 * other->n + 2;
@@ -191,19 +192,22 @@ bool overlap_find(struct solver *z)
 static bool is_shared(const struct level *v, const struct overlap *o, const struct gap_view *at)
 {
     const real flat = real_ldexp(1, -REAL_BITS / 4);
-    return o->t_outer.lo <= at->t && at->t <= o->t_outer.hi && o->s_outer.lo <= at->s && at->s <= o->s_outer.hi &&
+    return o->t_outer.lo <= at->t && at->t <= o->t_outer.hi && o->s_outer.lo <= at->s &&
+           at->s <= o->s_outer.hi &&
            real_abs(at->gap) <= 2 * o->distance + 64 * (v->f.node_error + v->g.node_error) &&
            real_abs(at->slope) <= flat;
 }
 
-bool overlap_holds(const struct solver *z, int level, const struct node *f, const struct node *g, const struct graphs *h)
+bool overlap_holds(const struct solver *z, int level, const struct node *f, const struct node *g,
+                   const struct graphs *h)
 {
     const struct level *v = &z->level[level];
     if (level != 0 || z->out->overlaps == 0) {
         return false;
     }
     struct gap_view first, middle, last;
-    if (!gap_look_at(v, f, g, h, h->x.lo, &first) || !gap_look_at(v, f, g, h, (h->x.lo + h->x.hi) / 2, &middle) ||
+    if (!gap_look_at(v, f, g, h, h->x.lo, &first) ||
+        !gap_look_at(v, f, g, h, (h->x.lo + h->x.hi) / 2, &middle) ||
         !gap_look_at(v, f, g, h, h->x.hi, &last)) {
         return false;
     }

@@ -1,13 +1,14 @@
 /* Are two arcs one?
  *
- * If two arcs of algebraic curves are the same set, there is a monotone map s = q(t) with f(t) = g(q(t)).  Here q is
- * guessed, the composition is written out in Bernstein form, and its control points are compared with f's: the curves are
- * nowhere farther apart than those.  Guesses: the projective map (of the arcs' own parameters; affine for polynomial
- * curves) that makes the weights agree, after elevation to a common degree; a polynomial of degree 2 or 3 through points that
- * agree, either way; and for arcs on one line any monotone map.
+ * If two arcs of algebraic curves are the same set, there is a monotone map s = q(t) with f(t) = g(q(t)).
+ * Here q is guessed, the composition is written out in Bernstein form, and its control points are compared
+ * with f's: the curves are nowhere farther apart than those.  Guesses: the projective map (of the arcs' own
+ * parameters; affine for polynomial curves) that makes the weights agree, after elevation to a common degree;
+ * a polynomial of degree 2 or 3 through points that agree, either way; and for arcs on one line any monotone
+ * map.
  *
- * Rounding: arcs are cut with node_error; elevation, products and sums of weights that sum to 1 add fewer than 128 N u S, N
- * the common degree. */
+ * Rounding: arcs are cut with node_error; elevation, products and sums of weights that sum to 1 add fewer
+ * than 128 N u S, N the common degree. */
 #include "../../core/bernstein.h"
 #include "overlap.h"
 
@@ -55,8 +56,8 @@ static void arc_elevate(struct arc_points *a, int n)
     a->n = n;
 }
 
-/* Multiplies the homogeneous points of a by lambda mu^i so that the first two weights are those of b: a projective change
- * of the parameter. */
+/* Multiplies the homogeneous points of a by lambda mu^i so that the first two weights are those of b: a
+ * projective change of the parameter. */
 static void arc_project(struct arc_points *a, const struct arc_points *b)
 {
     const real *w = a->c[2], *v = b->c[2];
@@ -69,7 +70,8 @@ static void arc_project(struct arc_points *a, const struct arc_points *b)
     }
 }
 
-/* Of curves of one degree.  Weights that differ by a factor 1 + d move a point by at most 2 d times the diameter, 4 d S. */
+/* Of curves of one degree.  Weights that differ by a factor 1 + d move a point by at most 2 d times the
+ * diameter, 4 d S. */
 static real control_distance(const struct arc_points *a, const struct arc_points *b, real scale)
 {
     real most = 0, change = 0;
@@ -79,7 +81,8 @@ static real control_distance(const struct arc_points *a, const struct arc_points
         most = real_max(most, real_max(real_abs(dx), real_abs(dy)));
         change = real_max(change, real_abs(w / v - 1));
     }
-    return 2 * (most + 4 * change * scale) * (1 + 64 * REAL_EPSILON); /* 2: from the maximum norm to the distance */
+    return 2 * (most + 4 * change * scale) *
+           (1 + 64 * REAL_EPSILON); /* 2: from the maximum norm to the distance */
 }
 
 /* ---- polynomial maps ---- */
@@ -133,8 +136,8 @@ static void compose(const struct arc_points *a, int k, const real *q, struct arc
 }
 
 /* The arc of `low` from a0 to a1 against that of `high` from b0 to b1: low(q) = high? */
-static real mapped_distance(const struct source *low, real a0, real a1, const struct source *high, real b0, real b1,
-                            int k, real scale)
+static real mapped_distance(const struct source *low, real a0, real a1, const struct source *high, real b0,
+                            real b1, int k, real scale)
 {
     struct arc_points a, b, composed;
     real value[MAP_MAX + 1], q[MAP_MAX + 1];
@@ -216,16 +219,19 @@ real shared_distance(const struct level *v, const struct shared *x, real limit)
     bool polynomial = !v->f.rational && !v->g.rational;
     for (int k = 2; k <= MAP_MAX && polynomial && !(distance >= 0 && distance <= limit); k++) {
         if (v->g.n * k >= v->f.n && v->g.n * k < POINTS_MAX) {
-            distance = better(distance, mapped_distance(&v->g, x->s0, x->s1, &v->f, x->t0, x->t1, k, v->scale));
+            distance =
+                better(distance, mapped_distance(&v->g, x->s0, x->s1, &v->f, x->t0, x->t1, k, v->scale));
             n = v->g.n * k > n ? v->g.n * k : n;
         }
         if (v->f.n * k >= v->g.n && v->f.n * k < POINTS_MAX) {
-            distance = better(distance, mapped_distance(&v->f, x->t0, x->t1, &v->g, x->s0, x->s1, k, v->scale));
+            distance =
+                better(distance, mapped_distance(&v->f, x->t0, x->t1, &v->g, x->s0, x->s1, k, v->scale));
             n = v->f.n * k > n ? v->f.n * k : n;
         }
     }
-    return distance < 0 ? distance
-                        : distance + 2 * (v->f.node_error + v->g.node_error) + 64 * n * REAL_EPSILON * v->scale;
+    return distance < 0
+               ? distance
+               : distance + 2 * (v->f.node_error + v->g.node_error) + 64 * n * REAL_EPSILON * v->scale;
 }
 
 real source_match(const struct source *c, real x, real y, real lo, real hi, real *t)

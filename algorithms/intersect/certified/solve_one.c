@@ -1,24 +1,26 @@
 /* The one zero of two extended nodes: Newton's method, with a proved radius.
  *
- * Let x = (t, s) be local parameters, H(x) = f~(t) - g~(s), f~ and g~ extended by tangents past the node's ends, and c
- * the certified cross product of cone.c.  Nodes have widths h_f, h_g of local parameters, so with B_t = V_g h_f / (p c)
- * and B_s = V_f h_g / (q c)
+ * Let x = (t, s) be local parameters, H(x) = f~(t) - g~(s), f~ and g~ extended by tangents past the node's
+ * ends, and c the certified cross product of cone.c.  Nodes have widths h_f, h_g of local parameters, so with
+ * B_t = V_g h_f / (p c) and B_s = V_f h_g / (q c)
  *
  *     |t - t*| <= B_t |H(x)|,   |s - s*| <= B_s |H(x)|                                               (1)
  *
- * at the zero x*.  Evaluated on the level's own curves, H errs by at most E = noise_f + noise_g + (slope noises times the
- * distances from the node), plus 2 u |H|.
+ * at the zero x*.  Evaluated on the level's own curves, H errs by at most E = noise_f + noise_g + (slope
+ * noises times the distances from the node), plus 2 u |H|.
  *
  * Exclusion.  If by (1) with |H~| + E the zero is outside [lo, hi] in t or s, no solution lies in the nodes.
  *
- * End.  A step d from x with the computed Jacobian J~ leaves |H(x + d)| <= |H~ + J~ d| + |J - J~||d| + E + R, where R =
- * (M_f dt^2 + M_g ds^2) / 2, M the bounds on f'' (f~' has the same Lipschitz constants).  Cramer's rule leaves |H~ + J~ d|
- * <= 12 u k (|f'| |dt| + |g'| |ds|), k = |f'| |g'| / |det| in 1-norms.  When R <= E the iteration ends with N = 2 E + these
- * terms as bound of |H(x + d)|, and (1) gives radii.
+ * End.  A step d from x with the computed Jacobian J~ leaves |H(x + d)| <= |H~ + J~ d| + |J - J~||d| + E + R,
+ * where R = (M_f dt^2 + M_g ds^2) / 2, M the bounds on f'' (f~' has the same Lipschitz constants).  Cramer's
+ * rule leaves |H~ + J~ d|
+ * <= 12 u k (|f'| |dt| + |g'| |ds|), k = |f'| |g'| / |det| in 1-norms.  When R <= E the iteration ends with N
+ * = 2 E + these terms as bound of |H(x + d)|, and (1) gives radii.
  *
- * Sharper.  (1) holds the worst direction of the whole node against the zero.  But x* is now known to lie within the
- * radii r of x, where f' differs from the last computed one by at most M_f (|dt| + r_t) + slope noise = D_f, g' by D_g
- * likewise.  With means U, W of f', g' between x and x*: (t - t*) cross(U, W) = cross(H, W), so that
+ * Sharper.  (1) holds the worst direction of the whole node against the zero.  But x* is now known to lie
+ * within the radii r of x, where f' differs from the last computed one by at most M_f (|dt| + r_t) + slope
+ * noise = D_f, g' by D_g likewise.  With means U, W of f', g' between x and x*: (t - t*) cross(U, W) =
+ * cross(H, W), so that
  *
  *     |t - t*| <= N (|g'| + 2 D_g) / (|det| - D_f |g'| - D_g |f'| - 2 D_f D_g),   s likewise,        (2)
  *
@@ -30,8 +32,8 @@ enum { ITERATIONS_MAX = 12 };
 /* One side of the pair. */
 struct arm {
     real lo, hi, width;
-    real reach;  /* B */
-    real bend;   /* M, by local parameters */
+    real reach; /* B */
+    real bend;  /* M, by local parameters */
     real noise, slope_noise;
 };
 
@@ -48,8 +50,8 @@ static inline void arm_make(const struct source *c, const struct node *a, const 
 }
 
 /* The spot of the extended node at t; returns the distance of t from it. */
-static inline real extended(const int n, const bool rational, const struct source *c, const struct arm *a, real t,
-                            struct spot *p)
+static inline real extended(const int n, const bool rational, const struct source *c, const struct arm *a,
+                            real t, struct spot *p)
 {
     real inside = clamp(t, a->lo, a->hi), past = t - inside;
     source_at_degree(n, rational, c, inside, p);
@@ -61,8 +63,8 @@ static inline real extended(const int n, const bool rational, const struct sourc
 }
 
 /* The chords' meeting point. */
-static inline void start(const struct node *f, int n, bool f_rational, const struct node *g, int m, bool g_rational,
-                         real *t, real *s)
+static inline void start(const struct node *f, int n, bool f_rational, const struct node *g, int m,
+                         bool g_rational, real *t, real *s)
 {
     const real *x = f->points, *y = x + n + 1, *a = g->points, *b = a + m + 1;
     real x0 = x[0], y0 = y[0], x1 = x[n], y1 = y[n], a0 = a[0], b0 = b[0], a1 = a[m], b1 = b[m];
@@ -128,7 +130,8 @@ static inline enum search newton(const int n, const bool f_rational, const int m
     for (int k = 0; k < ITERATIONS_MAX; k++) {
         struct spot p, q;
         struct step d;
-        real past_f = extended(n, f_rational, &v->f, &a, t, &p), past_g = extended(m, g_rational, &v->g, &b, s, &q);
+        real past_f = extended(n, f_rational, &v->f, &a, t, &p),
+             past_g = extended(m, g_rational, &v->g, &b, s, &q);
         real x = p.x - q.x, y = p.y - q.y, far = real_max(real_abs(x), real_abs(y));
         d.error = a.noise + b.noise + past_f * a.slope_noise + past_g * b.slope_noise;
         real rt = a.reach * (far * (1 + 4 * REAL_EPSILON) + d.error);
@@ -148,14 +151,16 @@ static inline enum search newton(const int n, const bool f_rational, const int m
             out->t = t;
             out->s = s;
             radii(&a, &b, &d, out);
-            return t - out->rt > a.hi || t + out->rt < a.lo || s - out->rs > b.hi || s + out->rs < b.lo ? NO_ZERO
-                                                                                                      : ZERO;
+            return t - out->rt > a.hi || t + out->rt < a.lo || s - out->rs > b.hi || s + out->rs < b.lo
+                       ? NO_ZERO
+                       : ZERO;
         }
     }
     return STUCK;
 }
 
-enum search solve_one(const struct level *v, const struct node *f, const struct node *g, real c, struct zero *out)
+enum search solve_one(const struct level *v, const struct node *f, const struct node *g, real c,
+                      struct zero *out)
 {
     int n = v->f.n, m = v->g.n;
     if (!v->f.rational && !v->g.rational) {

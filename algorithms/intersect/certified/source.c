@@ -65,9 +65,10 @@ static void scaled_coefficients(struct source *c, real *longest)
     }
 }
 
-/* Values: (3n + 2) u S, by evaluate.h, and binomials of degree above 54 up to 20 u; differences are rounded once,
- * products with n and the binomial twice.  Rational: numerator and denominator err so against w > 0, the quotient adds
- * 2 u S; and the derivative (X' - x W') / W with |X'| <= 2 n S w, |W'| <= n w for w the largest weight. */
+/* Values: (3n + 2) u S, by evaluate.h, and binomials of degree above 54 up to 20 u; differences are rounded
+ * once, products with n and the binomial twice.  Rational: numerator and denominator err so against w > 0,
+ * the quotient adds 2 u S; and the derivative (X' - x W') / W with |X'| <= 2 n S w, |W'| <= n w for w the
+ * largest weight. */
 void source_init(struct source *c, real scale, real *numbers)
 {
     const real u = REAL_EPSILON / 2;

@@ -1,14 +1,15 @@
 /* A closer look: a small part of the pair as a level of its own.
  *
- * The level's curves are those of the problem over small intervals, cut with twice the digits, less a point of theirs, and
- * enlarged by a power of two to coordinates around 1.  So their control points err by a few units in their *own* last
- * place, where the nodes of level 0 err by units in the last place of the whole: what was below rounding there can be
- * decided here.
+ * The level's curves are those of the problem over small intervals, cut with twice the digits, less a point
+ * of theirs, and enlarged by a power of two to coordinates around 1.  So their control points err by a few
+ * units in their *own* last place, where the nodes of level 0 err by units in the last place of the whole:
+ * what was below rounding there can be decided here.
  *
- * Errors, in units of the problem: de Casteljau's two passes over [0, hi] and [lo/hi, 1] in twofolds, each step a relative
- * error of at most 12 u^2 for products of weights (15 u^2) with points and their sum, 2 n steps: less than 64 n u^2 S;
- * for numerator and denominator each; the subtraction 16 u^2 S; rounding to one real u of the difference.  For rational
- * curves the homogeneous coordinates of the problem are rounded already (the error of level 0): less is gained. */
+ * Errors, in units of the problem: de Casteljau's two passes over [0, hi] and [lo/hi, 1] in twofolds, each
+ * step a relative error of at most 12 u^2 for products of weights (15 u^2) with points and their sum, 2 n
+ * steps: less than 64 n u^2 S; for numerator and denominator each; the subtraction 16 u^2 S; rounding to one
+ * real u of the difference.  For rational curves the homogeneous coordinates of the problem are rounded
+ * already (the error of level 0): less is gained. */
 #include "../../core/bernstein.h"
 #include "../../core/twofold.h"
 #include "evaluate.h"
@@ -84,7 +85,8 @@ static real difference(const struct cut *c, real x, real y, real *to)
 /* ---- the level ---- */
 
 /* Enlarges the points by a power of two; error: of the problem's cut, before. */
-static void enlarge(const struct cut *cut, real *points, real factor, real error, struct source *c, real *numbers)
+static void enlarge(const struct cut *cut, real *points, real factor, real error, struct source *c,
+                    real *numbers)
 {
     const real u = REAL_EPSILON / 2;
     const real scale = 2; /* coordinates are below it */
@@ -100,7 +102,8 @@ static void enlarge(const struct cut *cut, real *points, real factor, real error
     source_init(c, scale, numbers);
 }
 
-/* A dyadic interval of width 2^e >= 2 radius within [0, 1] that holds x - radius and x + radius, where [0, 1] does. */
+/* A dyadic interval of width 2^e >= 2 radius within [0, 1] that holds x - radius and x + radius, where [0, 1]
+ * does. */
 static void span_make(real x, real radius, struct interval *out)
 {
     enum { PARTS = 64 };
