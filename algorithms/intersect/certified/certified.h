@@ -163,6 +163,7 @@ enum search zero_prove(struct solver *z, int level, const struct zero *x, real w
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                            const struct zero *x, int at_most, bool exists);
 
+bool region_is_solved(const struct solver *z, int level, const struct zero *x);
 /* The same where nothing is proved: OPEN if there is no closer look to be had. */
 enum verdict region_look(struct solver *z, int level, const struct zero *x);
 
@@ -194,6 +195,8 @@ bool overlap_find(struct solver *z);
 
 /* Adds c; a CANDIDATE wider than asked means that the problem is not SOLVED. */
 void record_add(struct solver *z, const struct crossing *c);
+/* Clusters and candidates within another cluster say nothing new: it holds all solutions in its rectangle. */
+void records_tidy(struct solver *z);
 /* Where there is no room, the pair becomes a record. */
 void pair_push(struct solver *z, int level, int f, int g, int rest);
 /* Pushes what of the pair lies in the region instead of it; OPEN: there is no memory. */

@@ -221,6 +221,13 @@ static bool is_cut(const struct interval *span, real x, real radius)
     return (span->lo > 0 && x - radius < 0) || (span->hi < 1 && x + radius > 1);
 }
 
+bool region_is_solved(const struct solver *z, int level, const struct zero *x)
+{
+    const struct level *v = &z->level[level];
+    struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
+    return is_solved(z, level, &t, &s);
+}
+
 /* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if
  * not, a level with it in its middle is made. */
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,

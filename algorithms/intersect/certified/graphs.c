@@ -193,11 +193,10 @@ static struct interval abscissas(const struct node *a, const struct interval *x,
     return out;
 }
 
-/* Less would leave no more than rounding of second and third derivatives. */
-bool graphs_common(const struct node *f, const struct node *g, const struct graphs *h, struct zero *out)
+void graphs_common(const struct node *f, const struct node *g, const struct graphs *h, real pad,
+                   struct zero *out)
 {
-    const real worth = (real)0.5;
-    real pad = 2 * h->x_error + real_ldexp(1, -REAL_BITS / 4), lo = h->x.lo - pad, hi = h->x.hi + pad;
+    real more = 2 * h->x_error + pad, lo = h->x.lo - more, hi = h->x.hi + more;
     struct interval t = abscissas(f, &h->x_f, &h->run_f, lo, hi),
                     s = abscissas(g, &h->x_g, &h->run_g, lo, hi);
     if (h->sign < 0) { /* g runs backwards */
@@ -209,7 +208,6 @@ bool graphs_common(const struct node *f, const struct node *g, const struct grap
     out->s = (s.lo + s.hi) / 2;
     out->rt = real_max(t.hi - t.lo, (real)0) / 2 + REAL_EPSILON;
     out->rs = real_max(s.hi - s.lo, (real)0) / 2 + REAL_EPSILON;
-    return 2 * out->rt <= worth * (f->hi - f->lo) || 2 * out->rs <= worth * (g->hi - g->lo);
 }
 
 /* ---- the gap ---- */

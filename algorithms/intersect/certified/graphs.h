@@ -18,8 +18,9 @@ struct graphs {
 /* false if they are no graphs over one direction, or turn too much */
 bool graphs_init(const struct level *v, const struct node *f, const struct node *g, struct graphs *out);
 
-/* Where the common abscissas are; false if that is not half of either node or less. */
-bool graphs_common(const struct node *f, const struct node *g, const struct graphs *h, struct zero *out);
+/* Where the common abscissas are, with `pad` more at each end: all solutions are there. */
+void graphs_common(const struct node *f, const struct node *g, const struct graphs *h, real pad,
+                   struct zero *out);
 
 /* True only if a strip along one arc's chord keeps it apart from the other. */
 bool strips_apart(const struct level *v, const struct node *f, const struct node *g);

@@ -11,6 +11,30 @@ void record_add(struct solver *z, const struct crossing *c)
     crossings_add(z->out, c);
 }
 
+/* Is all of a said by b as well? */
+static bool is_idle(const struct crossing *a, const struct crossing *b)
+{
+    return (a->standing == CLUSTER || a->standing == CANDIDATE) && b->standing == CLUSTER &&
+           b->t.lo <= a->t.lo && a->t.hi <= b->t.hi && b->s.lo <= a->s.lo && a->s.hi <= b->s.hi;
+}
+
+void records_tidy(struct solver *z)
+{
+    struct crossing *at = z->out->at;
+    for (int i = 0; i < z->out->count; i++) {
+        for (int k = 0; at[i].standing == CLUSTER && k < z->out->count;) {
+            if (k != i && is_idle(&at[k], &at[i])) {
+                int last = --z->out->count;
+                at[k] = at[last];
+                i = i == last ? k : i;
+                k = 0;
+            } else {
+                k++;
+            }
+        }
+    }
+}
+
 static void record_pair(struct solver *z, const struct pair *at)
 {
     const struct level *v = &z->level[at->level];

@@ -107,7 +107,7 @@ static void enlarge(const struct cut *cut, real *points, real factor, real error
 static void span_make(real x, real radius, struct interval *out)
 {
     enum { PARTS = 64 };
-    real width = real_ldexp(1, real_exponent(2 * radius) + 1);
+    real width = real_ldexp(1, real_exponent(radius) + 3);
     if (width >= 1) {
         out->lo = 0;
         out->hi = 1;
