@@ -92,6 +92,10 @@ static enum verdict settle_region(const struct side *c, const struct gap_view *a
     region.s = at->s;
     region.rt = (radius + pad) / c->h->run_f.lo + 2 * REAL_EPSILON;
     region.rs = (radius + pad) / c->h->run_g.lo + 2 * REAL_EPSILON;
+    const real small = (real)1 / 4;
+    if (region.rt > small * (c->f->hi - c->f->lo) || region.rs > small * (c->g->hi - c->g->lo)) {
+        return OPEN; /* half the arcs may do better */
+    }
     return region_settle(c->z, c->level, c->f, c->g, &region, 2, false);
 }
 

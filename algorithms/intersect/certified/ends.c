@@ -247,14 +247,13 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     if (whole && exists) {
         c.standing = near_end(&t) || near_end(&s) ? END : UNIQUE;
     }
-    const real shorter = (real)1 / 16, small = (real)1 / 8;
-    bool smaller = x->rt <= small * (f->hi - f->lo) && x->rs <= small * (g->hi - g->lo);
+    const real shorter = (real)1 / 16;
     /* two solutions are told apart, or from none, at any tolerance */
     bool look = !whole || !narrow || (level == 0 && at_most <= 2);
     if (look && zoom(z, level, x, whole ? shorter : (real)1, &c)) {
         return CLOSED;
     }
-    if (!narrow && !(whole && smaller)) {
+    if (!narrow && !whole) {
         return OPEN;
     }
     record_add(z, &c);
