@@ -70,6 +70,7 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->level_numbers = at;
     z->levels = z->pairs = z->solved = 0;
     z->next_look = FIRST_LOOK;
+    z->suspicions = 0;
 }
 
 /* ---- level 0 ---- */
@@ -204,7 +205,7 @@ static enum verdict settle(struct solver *z, struct pair *at)
 static void look_for_overlaps(struct solver *z)
 {
     enum { TIMES = 8 };
-    z->next_look *= TIMES;
+    z->next_look = TIMES * (z->next_look < FIRST_LOOK ? (int)FIRST_LOOK : z->next_look);
     if (overlap_find(z)) {
         z->out->count = 0;
         z->out->merged = false;

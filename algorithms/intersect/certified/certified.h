@@ -100,7 +100,8 @@ struct solver {
     struct pair *pair;
     struct rectangle solved_at[SOLVED_MAX];
     int root_f, root_g;
-    int next_look; /* steps before overlaps are looked for (again) */
+    int next_look;  /* steps before overlaps are looked for (again) */
+    int suspicions; /* so often a gap was no more than rounding */
 };
 
 /* CLOSED: every solution of the pair is in some record.  OPEN: nothing is known. */

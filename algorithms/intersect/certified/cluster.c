@@ -107,6 +107,7 @@ static enum verdict settle_stretch(struct solver *z, const struct pair *at, cons
         return CLOSED;
     }
     if (limited) {
+        z->next_look = z->suspicions++ ? z->next_look : z->w->steps; /* the arcs may be one */
         return region_look(z, at->level, &x);
     }
     return s->hi - s->lo <= worth ? pair_narrow(z, at, &x) : OPEN;
