@@ -198,6 +198,19 @@ static bool is_shared(const struct level *v, const struct overlap *o, const stru
            real_abs(at->slope) <= flat;
 }
 
+/* The view at abscissa x, both parameters as near as they can be. */
+static bool look_closely(const struct level *v, const struct node *f, const struct node *g,
+                         const struct graphs *h, real x, struct gap_view *out)
+{
+    real t, s;
+    if (!gap_look_at(v, f, g, h, x, out)) {
+        return false;
+    }
+    gap_step(f, g, x, out, &t, &s);
+    gap_look(v, h, t, s, out);
+    return true;
+}
+
 bool overlap_holds(const struct solver *z, int level, const struct node *f, const struct node *g,
                    const struct graphs *h)
 {
@@ -206,9 +219,9 @@ bool overlap_holds(const struct solver *z, int level, const struct node *f, cons
         return false;
     }
     struct gap_view first, middle, last;
-    if (!gap_look_at(v, f, g, h, h->x.lo, &first) ||
-        !gap_look_at(v, f, g, h, (h->x.lo + h->x.hi) / 2, &middle) ||
-        !gap_look_at(v, f, g, h, h->x.hi, &last)) {
+    if (!look_closely(v, f, g, h, h->x.lo, &first) ||
+        !look_closely(v, f, g, h, (h->x.lo + h->x.hi) / 2, &middle) ||
+        !look_closely(v, f, g, h, h->x.hi, &last)) {
         return false;
     }
     for (int i = 0; i < z->out->overlaps; i++) {
