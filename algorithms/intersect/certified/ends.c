@@ -126,6 +126,9 @@ static int report(struct solver *z, int level, const struct zero *x)
     }
     cut_off(&c.t);
     cut_off(&c.s);
+    if (c.t.lo > c.t.hi || c.s.lo > c.s.hi) {
+        return 0; /* beyond the domain after all */
+    }
     if ((c.t.hi - c.t.lo > b->tolerance_t || c.s.hi - c.s.lo > b->tolerance_s) &&
         zoom(z, level, x, shorter, &c)) {
         return z->levels - 1;
@@ -267,6 +270,9 @@ enum verdict region_look(struct solver *z, int level, const struct zero *x)
     struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
     cut_off(&t);
     cut_off(&s);
+    if (t.lo > t.hi || s.lo > s.hi) {
+        return CLOSED; /* beyond the domain */
+    }
     const struct crossing c = {t, s, CANDIDATE, 0, 0};
     const real shorter = (real)1 / 16;
     return level == 0 && zoom(z, level, x, shorter, &c) ? CLOSED : OPEN;
