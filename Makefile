@@ -134,7 +134,7 @@ AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
 .PHONY: all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures \
-        instructions against-lib2geom format clean help
+        instructions against-lib2geom fuzz format clean help
 
 all: $(programs) ## build everything: build/fatline and its programs
 
@@ -160,6 +160,15 @@ instructions: all ## count the instructions of each algorithm under callgrind
 
 against-lib2geom: all ## time bezier_clipping beside lib2geom's clipping
 	@scripts/against_lib2geom
+
+FUZZ = build/fuzz/certified
+FUZZ_SECONDS = 60
+$(FUZZ): tests/fuzz_certified.c $(ALGORITHMS_double)
+	@mkdir -p $(@D)/corpus
+	clang -std=c11 -D_GNU_SOURCE -O1 -g $(FP) -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined \
+	    -o $@ $^ $(LIBS_double) -lm
+fuzz: $(FUZZ) ## libFuzzer with sanitizers on the certified algorithm, FUZZ_SECONDS=60 (needs clang)
+	$(FUZZ) -max_total_time=$(FUZZ_SECONDS) -max_len=2048 -timeout=10 -print_final_stats=1 $(dir $(FUZZ))corpus
 
 setup: ## install what all the commands need and is missing (Debian 12)
 	@scripts/setup all

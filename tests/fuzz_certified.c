@@ -119,7 +119,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
     p.f = f.curve;
     p.g = g.curve;
     p.tolerance = ldexp(1, -(int)(take(&in) % 56));
-    p.max_steps = MOST_STEPS;
+    p.max_steps = take(&in) < 64 ? 1 + take(&in) : (int)MOST_STEPS;
     const struct intersector *a = intersector_find("certified");
     int most_n = n > 0 && n <= DEGREE_MAX ? n : 1, most_m = m > 0 && m <= DEGREE_MAX ? m : 1;
     most_n = most_m = most_n > most_m ? most_n : most_m;
@@ -132,7 +132,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
     bool valid = n > 0 && m > 0 && n <= DEGREE_MAX && m <= DEGREE_MAX && is_finite(&p.f, &size) &&
                  is_finite(&p.g, &size);
     require((o == INVALID) == !valid);
-    require(w.steps <= MOST_STEPS);
+    require(w.steps <= p.max_steps);
     for (int i = 0; i < out.count; i++) {
         const struct crossing *c = &out.at[i];
         require(0 <= c->t.lo && c->t.lo <= c->t.hi && c->t.hi <= 1 && 0 <= c->s.lo && c->s.lo <= c->s.hi &&

@@ -187,7 +187,9 @@ void level_give_up(struct solver *z)
 {
     const struct level *v = &z->level[z->levels - 1];
     z->pairs = v->pairs;
-    z->out->count = v->records < 0 ? z->out->count : v->records;
+    if (v->records >= 0 && !z->out->merged) { /* merged, they may have moved: then they stay */
+        z->out->count = v->records;
+    }
     record_add(z, &v->otherwise);
     solved_shrink(z, z->levels - 1, &v->otherwise);
 }
