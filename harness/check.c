@@ -18,9 +18,11 @@
 
 #include <argp.h>
 
+#include "check_estimate.h"
 #include "check_table.h"
 #include "check_worker.h"
 #include "progress.h"
+#include "resume.h"
 #include "row.h"
 
 enum { OK = 0, NOT_RIGHT = 1, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
@@ -83,7 +85,8 @@ static bool dismiss(struct hand *hands, int count, bool early)
 
 /* Rows to the output or the table, notes to standard error; an exit status for what is wrong with the line.
  */
-static int take_reply(const json_t *reply, const struct check_options *o, struct check_table *table)
+static int take_reply(const json_t *reply, const struct check_options *o, FILE *out,
+                      struct check_table *table)
 {
     size_t i;
     json_t *row, *text;
@@ -92,13 +95,16 @@ static int take_reply(const json_t *reply, const struct check_options *o, struct
     {
         check_table_add(table, row);
         if (o->rows)
-            row_write(stdout, json_incref(row));
+            row_write(out, json_incref(row));
     }
+    if (o->output)
+        fflush(out); /* an interrupted run leaves whole cases behind */
     progress_step();
     return json_object_get(reply, "failed") ? FAILED : json_object_get(reply, "bad") ? BAD_DATA : OK;
 }
 
-static int listen(const struct check_options *o, struct hand *hands, struct check_table *table, bool *early)
+static int listen(const struct check_options *o, struct hand *hands, FILE *out, struct check_table *table,
+                  bool *early)
 {
     char *text = NULL;
     size_t size = 0;
@@ -108,7 +114,7 @@ static int listen(const struct check_options *o, struct hand *hands, struct chec
         if (getline(&text, &size, hands[i % o->jobs].from) < 0)
             break;
         json_t *reply = json_loads(text, 0, NULL);
-        int status = reply ? take_reply(reply, o, table) : FAILED;
+        int status = reply ? take_reply(reply, o, out, table) : FAILED;
         json_decref(reply);
         if (status != OK && worst != FAILED)
             worst = status;
@@ -119,7 +125,7 @@ static int listen(const struct check_options *o, struct hand *hands, struct chec
     return worst;
 }
 
-static int check_all(const struct check_options *o, struct check_table *table)
+static int check_all(const struct check_options *o, FILE *out, struct check_table *table)
 {
     struct hand *hands = (struct hand *)calloc((size_t)o->jobs, sizeof *hands);
     bool early = true, hired = hands != NULL;
@@ -127,7 +133,7 @@ static int check_all(const struct check_options *o, struct check_table *table)
     for (; hired && count < o->jobs; count += hired)
         hired = hire(o, hands, count);
     if (hired)
-        status = listen(o, hands, table, &early);
+        status = listen(o, hands, out, table, &early);
     else
         fprintf(stderr, "fatline check: %s\n", strerror(errno));
     if (!dismiss(hands, count, early))
@@ -161,12 +167,36 @@ static bool reads_standard_input(const struct check_options *o)
     return o->file_count == 0;
 }
 
+static char *group_of(const json_t *row)
+{
+    const char *id = json_string_value(json_object_get(row, "id"));
+    return id ? check_group(json_string_value(json_object_get(row, "file")), id) : NULL;
+}
+
+/* 0, or an exit status. */
+static int open_output(int argc, char **argv, struct check_options *o, struct resume *resume)
+{
+    struct resume_rule rule = {group_of, o->algorithms.count + (o->external != NULL)};
+    memset((void *)resume, 0, sizeof *resume);
+    resume->out = stdout;
+    if (!o->rows)
+        return 0;
+    int status = resume_open(resume, o->output, o->resume, &rule, row_environment(argc, argv, REAL_NAME));
+    if (status)
+        fprintf(stderr, "fatline check: %s\n", resume->error);
+    else if (resume->done)
+        fprintf(stderr, "fatline check: resumed: %d cases are done\n", resume->done);
+    o->past = resume;
+    return status;
+}
+
 const char *argp_program_version = "fatline 0.1";
 
 int main(int argc, char **argv)
 {
     struct check_options options;
     struct check_table table;
+    struct resume output;
     struct sigaction action;
 
     check_options_read(argc, argv, &options);
@@ -174,23 +204,31 @@ int main(int argc, char **argv)
     memset(&action, 0, sizeof action);
     if (reads_standard_input(&options))
         check_load_standard_input();
-    if (options.rows)
-        row_write(stdout, row_environment(argc, argv, REAL_NAME));
-    progress_set_quiet(options.quiet);
+    if (options.dry_run)
+        return check_estimate(&options, count_lines(&options));
+    int status = open_output(argc, argv, &options, &output);
+    if (status)
+        return status;
+    progress_set_quiet(options.quiet || (options.rows && !options.output && isatty(STDOUT_FILENO)));
     progress_begin("check", count_lines(&options));
     action.sa_handler = interrupt;
     action.sa_flags = SA_RESETHAND; /* the second signal ends the program at once */
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
-    int status = check_all(&options, &table);
+    status = check_all(&options, output.out, &table);
     progress_end();
 
     if (!options.rows)
         check_table_write(&table, stdout);
+    if (status == OK && !table.count && !interrupted)
+        fprintf(
+            stderr,
+            "fatline check: no case was checked: there is none in the files, or none that was asked for\n");
     if (check_table_unjudged(&table))
         fprintf(stderr, "fatline check: %ld answers unjudged for want of a truth (--truth computes it)\n",
                 check_table_unjudged(&table));
-    bool failed = check_table_failed(&table), lost = fflush(stdout) || ferror(stdout);
+    bool failed = check_table_failed(&table),
+         lost = !resume_close(&output) || fflush(stdout) || ferror(stdout);
     if (lost)
         fprintf(stderr, "fatline check: standard output cannot be written\n");
     check_table_clear(&table);

@@ -49,15 +49,32 @@ static bool reply_with(struct worker *w, json_t *reply)
     return fputc('\n', w->to) != EOF && !fflush(w->to);
 }
 
+char *check_group(const char *file, const char *id)
+{
+    char *group = (char *)malloc(strlen(file) + strlen(id) + 2);
+    if (group)
+        sprintf(group, "%s\n%s", file, id);
+    return group;
+}
+
+static bool is_done(const struct check_options *o, const struct test_case *c)
+{
+    char *group = o->past ? check_group(c->file ? c->file : "", c->id) : NULL;
+    bool done = group && resume_has(o->past, group);
+    free(group);
+    return done;
+}
+
 /* Counts the case if it is of those asked for. */
 static bool is_selected(struct worker *w, const struct test_case *c)
 {
     const struct check_options *o = w->options;
-    if ((o->id && fnmatch(o->id, c->id, 0)) || (o->class_name && strcmp(o->class_name, c->class_name)))
+    if ((o->filter && regexec(&o->regex, c->id, 0, NULL, 0)) || (o->id && fnmatch(o->id, c->id, 0)) ||
+        (o->class_name && strcmp(o->class_name, c->class_name)))
         return false;
     json_int_t seen = json_integer_value(json_object_get(w->of_class, c->class_name));
     json_object_set_new(w->of_class, c->class_name, json_integer(seen + 1));
-    return seen % o->sample == 0;
+    return seen % o->sample == 0 && !is_done(o, c);
 }
 
 /* Every worker counts the classes; only one replies. False if nobody listens any more. */
@@ -82,6 +99,14 @@ static bool take_line(struct worker *w, const char *text, const char *file, int 
     return !mine || reply_with(w, reply);
 }
 
+/* A file that cannot be read takes the place of a line. */
+static bool report_failure(struct worker *w, const char *path, int why)
+{
+    return w->lines++ % w->options->jobs != w->number ||
+           reply_with(w, json_pack("{s:b,s:[o]}", "failed", 1, "notes",
+                                   json_sprintf("%s: %s", path, strerror(why))));
+}
+
 static bool take_file(struct worker *w, const char *path)
 {
     const char *name = strcmp(path, "-") ? path : "stdin";
@@ -92,14 +117,14 @@ static bool take_file(struct worker *w, const char *path)
     bool more = true;
 
     if (!stream)
-        return w->lines++ % w->options->jobs != w->number ||
-               reply_with(w, json_pack("{s:b,s:[o]}", "failed", 1, "notes",
-                                       json_sprintf("%s: %s", path, strerror(errno))));
+        return report_failure(w, path, errno);
     while (more && getline(&text, &size, stream) >= 0) {
         line_number++;
         if (!check_line_is_blank(text))
             more = take_line(w, text, name, line_number);
     }
+    if (more && ferror(stream))
+        more = report_failure(w, path, errno);
     free(text);
     fclose(stream);
     return more;

@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "case.h"
 #include "check_options.h"
 
 /* Standard input is read once, before there are workers. */
@@ -17,6 +18,9 @@ void check_load_standard_input(void);
 /* The lines of a file; "-": of standard input.  NULL: errno says why. */
 FILE *check_open_cases(const char *path);
 bool check_line_is_blank(const char *text);
+
+/* The group that the rows of a case form in a file that is resumed, a malloc'd text. */
+char *check_group(const char *file, const char *id);
 
 /* Returns an exit status. */
 int check_work(const struct check_options *o, int number, FILE *to);

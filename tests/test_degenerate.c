@@ -60,20 +60,12 @@ static void check_shared(const char *what, make_shared *make)
     }
 }
 
-static void copy_coefficients(struct prop_curve *to, const struct prop_curve *from)
-{
-    *to = *from;
-    to->curve.x = to->x;
-    to->curve.y = to->y;
-    to->curve.w = from->curve.w ? to->w : NULL;
-}
-
 /* The same curve twice, every other one backwards. */
 static void make_twice(struct shared *p, struct random_state *r, int i)
 {
     int n = nasty_degree(r, 8);
     prop_curve_make(&p->f, r, n, 12, i % 3 == 0);
-    copy_coefficients(&p->g, &p->f);
+    prop_curve_copy(&p->g, &p->f);
     for (int k = 0; i % 2 && k <= n; k++) {
         p->g.x[k] = p->f.x[n - k];
         p->g.y[k] = p->f.y[n - k];
@@ -88,7 +80,7 @@ static void make_part(struct shared *p, struct random_state *r, int i)
 {
     int n = nasty_degree(r, 8);
     prop_curve_make(&p->f, r, n, 12, i % 3 == 0);
-    copy_coefficients(&p->g, &p->f);
+    prop_curve_copy(&p->g, &p->f);
     p->a = 1;
     p->b = 0;
     for (int cut = 0; cut <= i % 2; cut++) {

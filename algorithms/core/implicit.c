@@ -85,8 +85,9 @@ static void add_coefficient(const struct polygon *a, const struct polygon *b, in
 
 void implicit_matrix(const struct polygon *a, const struct polygon *b, real *m)
 {
-    for (int i = 0; i < a->degree * a->degree * 2 * (b->degree + 1); i++) {
-        m[i] = 0;
+    const int length = b->degree + 1;
+    for (int i = 0; i < a->degree * a->degree * 2 * length; i++) {
+        m[i] = i / length % 2 ? REAL_LEAST : (real)0; /* what underflow may take */
     }
     for (int q = 0; q <= b->degree; q++) {
         add_coefficient(a, b, q, m);
@@ -132,7 +133,7 @@ static void expand_minors(int d, int e, const real *m, int first, int step, int 
         real *minor = table + (size_t)set * pitch;
         int row = first + step * (size - 1), length = size * e + 1, sign = size % 2 ? 1 : -1;
         for (int i = 0; i < 2 * length; i++) {
-            minor[i] = 0;
+            minor[i] = i < length ? (real)0 : REAL_LEAST; /* more than underflow takes from fewer products */
         }
         for (int k = 0; k < d; k++) {
             if (set >> k & 1) {
@@ -151,7 +152,7 @@ void implicit_unscale(int n, const real *scaled, real *c, real *error)
     for (int k = 0; k <= n; k++) {
         c[k] = scaled[k] / factor;
         error[k] = scaled[n + 1 + k] / factor + (2 * n + 1) * (REAL_EPSILON / 2) * real_abs(c[k]);
-        error[k] += error[k] / 64;                       /* the rounding of the bound itself */
+        error[k] += error[k] / 64 + REAL_LEAST;          /* the rounding of the bound itself; underflow */
         factor = factor * (real)(n - k) / (real)(k + 1); /* 2u each */
     }
 }
@@ -222,7 +223,7 @@ static struct ratio cofactor_ratio(int d, const real *m, int step, real *table)
 static enum inversion narrow_by_ratio(const struct ratio *r, real *lo, real *hi)
 {
     real top = real_abs(r->top), bottom = real_abs(r->bottom);
-    if (bottom <= r->bottom_error) {
+    if (!(bottom > r->bottom_error)) {
         return top - r->top_error > bottom + r->bottom_error ? NOWHERE : AMBIGUOUS;
     }
     real u = r->top / r->bottom;

@@ -67,22 +67,32 @@ static void complete(struct lowered *s, int n, real error)
     s->polygon.error = error + (w ? REAL_EPSILON * s->extent : (real)0); /* quotients, rounded */
 }
 
-void lowered_init(const struct arc *c, real scale, struct lowered *s)
+void lowered_take(const struct arc *c, struct lowered *s)
 {
-    int n = c->degree;
+    const int n = c->degree;
     s->components = c->w ? 3 : 2;
     s->reduced = false;
-    if (n > 1 && may_be_reduced(c, scale)) {
-        for (int k = 1; k <= REDUCED_MAX && k < n && !s->reduced; k++) {
-            s->reduced = reduce_to(k, c, scale, s);
-            n = s->reduced ? k : n;
-        }
-    }
-    for (int i = 0; !s->reduced && i < s->components * (n + 1); i++) {
+    for (int i = 0; i < s->components * (n + 1); i++) {
         const real *p = i <= n ? c->x : i <= 2 * n + 1 ? c->y : c->w;
         s->homogeneous[i] = p[i % (n + 1)];
     }
-    complete(s, n, c->error + (s->reduced ? s->polygon.error : (real)0));
+    complete(s, n, c->error);
+}
+
+void lowered_init(const struct arc *c, real scale, struct lowered *s)
+{
+    s->components = c->w ? 3 : 2;
+    s->reduced = false;
+    if (c->degree > 1 && may_be_reduced(c, scale)) {
+        for (int k = 1; k <= REDUCED_MAX && k < c->degree; k++) {
+            s->reduced = reduce_to(k, c, scale, s);
+            if (s->reduced) {
+                complete(s, k, c->error + s->polygon.error);
+                return;
+            }
+        }
+    }
+    lowered_take(c, s);
 }
 
 /* Cutting errs by 8n u |x| (bernstein.h), in quotients twice. */

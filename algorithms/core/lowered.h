@@ -17,6 +17,9 @@ struct lowered {
     bool reduced; /* points agree with the given curve's within polygon.error, control points need not */
 };
 
+/* c as it is, of degree POINTS_MAX - 1 at most. */
+void lowered_take(const struct arc *c, struct lowered *s);
+
 /* scale >= max |coordinate| of c, of degree POINTS_MAX - 1 at most.  Degrees 1 to REDUCED_MAX are tried, and
  * taken if they agree within 32 n eps scale. */
 void lowered_init(const struct arc *c, real scale, struct lowered *s);

@@ -1,4 +1,5 @@
-/* The smallest complete algorithm, to copy: halve while the bounding circles meet.
+/* The smallest complete algorithm, to copy: halve while the bounding circles meet; what is narrow enough must
+ * pass the boxes along both chords.
  *
  * It is built and tested with the others, but not listed.  Yours: give the file, its entry and its name
  * another name, write your own shrink, and add INTERSECTOR(your_name) to algorithms/list.h. */
@@ -8,21 +9,24 @@ struct circle {
     real x, y, radius;
 };
 
-/* About the first control point.  Every operation here errs by at most a few u = REAL_EPSILON / 2 of the
- * scale: differences and radius 6 u together, beside the error of the control points themselves. */
+static real coordinate(const struct arc *a, const real *c, int i)
+{
+    return a->w ? c[i] / a->w[i] : c[i];
+}
+
+/* About the middle of the chord.  The centre is exact by definition; differences, squares, sum and root make
+ * the radius err by 4 u scale, u = REAL_EPSILON / 2, beside the error of the control points themselves. */
 static struct circle bounding_circle(const struct arc *a, real scale)
 {
-    struct circle c = {a->x[0], a->y[0], 0};
-    if (a->w) {
-        c.x = c.x / a->w[0];
-        c.y = c.y / a->w[0];
-    }
-    for (int i = 1; i <= a->degree; i++) {
-        real x = a->w ? a->x[i] / a->w[i] : a->x[i], y = a->w ? a->y[i] / a->w[i] : a->y[i];
-        real dx = x - c.x, dy = y - c.y;
+    int n = a->degree;
+    const real half = (real)0.5;
+    struct circle c = {(coordinate(a, a->x, 0) + coordinate(a, a->x, n)) * half,
+                       (coordinate(a, a->y, 0) + coordinate(a, a->y, n)) * half, 0};
+    for (int i = 0; i <= n; i++) {
+        real dx = coordinate(a, a->x, i) - c.x, dy = coordinate(a, a->y, i) - c.y;
         c.radius = real_max(c.radius, real_sqrt(dx * dx + dy * dy));
     }
-    c.radius = c.radius + 4 * a->error + 8 * REAL_EPSILON * scale;
+    c.radius = c.radius + 2 * a->error + 8 * REAL_EPSILON * scale;
     return c;
 }
 
@@ -44,9 +48,15 @@ static int shrink(const struct problem *p, const struct workspace *w, struct cel
     return circles_meet(p, c) ? HALVE : 0;
 }
 
+static bool may_meet(const struct problem *p, const struct cell *c)
+{
+    struct arc f = cell_f(p, c), g = cell_g(p, c);
+    return arc_oriented_boxes_meet(&f, &g, p->bounds.scale);
+}
+
 static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
 {
-    return solve_by_shrinking(p, w, out, shrink, circles_meet, LONGER_ARC);
+    return solve_by_shrinking(p, w, out, shrink, may_meet, LONGER_ARC);
 }
 
 extern const struct intersector example;

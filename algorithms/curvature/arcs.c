@@ -1,0 +1,186 @@
+#include "arcs.h"
+
+#include "../core/bernstein.h"
+#include "form.h"
+#include "pieces.h"
+
+enum { RING = 256 }; /* coefficients of a series that are looked back on: at most 64 */
+
+void envelope_make(const struct region_work *k, const struct region_edge *edge, struct envelope *out)
+{
+    const struct span_forms *f = &k->span[edge->span].form;
+    out->e = f->e;
+    bernstein_restrict(f->e, 3, f->w, real_min(edge->t, edge->t1), real_max(edge->t, edge->t1), out->w);
+}
+
+/* ---- area ---- */
+
+/* Coefficients of powers of t. */
+static void to_powers(int n, const real *c, real *out)
+{
+    for (int i = 0; i <= n; i++) {
+        out[i] = c[i];
+    }
+    for (int k = 1; k <= n; k++) {
+        for (int i = n; i >= k; i--) {
+            out[i] = out[i] - out[i - 1];
+        }
+    }
+    for (int i = 0; i <= n; i++) {
+        out[i] = out[i] * binomial(n, i);
+    }
+}
+
+static void power_derivative(int n, const real *a, real *out)
+{
+    for (int i = 0; i < n; i++) {
+        out[i] = (i + 1) * a[i + 1];
+    }
+}
+
+/* Integral over [0, 1] of numerator / denominator, of degree n both, by their power series; |coefficients of
+ * the denominator| fall so fast that the terms do. */
+static real integrate_series(int n, const real *numerator, const real *denominator, real tolerance)
+{
+    real ring[RING], sum = 0;
+    int small = 0;
+    for (int i = 0; i < 8 * REAL_BITS && small <= n; i++) {
+        real g = i <= n ? numerator[i] : (real)0;
+        for (int j = 1; j <= n && j <= i; j++) {
+            g -= denominator[j] * ring[(i - j) % RING];
+        }
+        g = g / denominator[0];
+        ring[i % RING] = g;
+        sum += g / (i + 1);
+        small = real_abs(g) <= tolerance * real_abs(sum) ? small + 1 : 0;
+    }
+    return sum;
+}
+
+/* (X Y' - Y X') / Z^2 over one panel; false: Z changes too much over it for the series. */
+static bool integrate_panel(int e, const real *w, real tolerance, real *integral)
+{
+    real x[DEGREE_MAX + 1], y[DEGREE_MAX + 1], z[DEGREE_MAX + 1], dx[DEGREE_MAX + 1], dy[DEGREE_MAX + 1];
+    real numerator[2 * DEGREE_MAX + 1], denominator[2 * DEGREE_MAX + 1], rest = 0;
+    to_powers(e, w + 2 * (e + 1), z);
+    for (int i = 1; i <= e; i++) {
+        rest += real_abs(z[i]);
+    }
+    if (2 * rest > real_abs(z[0])) {
+        return false;
+    }
+    to_powers(e, w, x);
+    to_powers(e, w + e + 1, y);
+    power_derivative(e, x, dx);
+    power_derivative(e, y, dy);
+    form_clear(2 * e, numerator);
+    form_clear(2 * e, denominator);
+    if (e > 0) {
+        form_add_product(e, x, e - 1, dy, 1, numerator);
+        form_add_product(e, y, e - 1, dx, -1, numerator);
+    }
+    form_add_product(e, z, e, z, 1, denominator);
+    *integral = integrate_series(2 * e, numerator, denominator, tolerance);
+    return true;
+}
+
+real envelope_area(const struct region_edge *edge, const struct envelope *a, struct point about,
+                   real tolerance)
+{
+    real w[3 * (DEGREE_MAX + 1)], panel[3 * (DEGREE_MAX + 1)], lo = 0, width = 1, sum = 0;
+    int length = a->e + 1;
+    for (int i = 0; i < length; i++) {
+        w[2 * length + i] = a->w[2 * length + i];
+        w[i] = a->w[i] - about.x * w[2 * length + i];
+        w[length + i] = a->w[length + i] - about.y * w[2 * length + i];
+    }
+    while (lo < 1 && width > REAL_EPSILON) {
+        real hi = real_min(1, lo + width), part;
+        bernstein_restrict(a->e, 3, w, lo, hi, panel);
+        if (integrate_panel(a->e, panel, tolerance, &part)) {
+            sum += part;
+            lo = hi;
+            width = 2 * width;
+        } else {
+            width = width / 2;
+        }
+    }
+    return (edge->t < edge->t1 ? sum : -sum) / 2;
+}
+
+/* ---- distance ---- */
+
+void envelope_tangent(const struct region_work *k, const struct region_edge *edge, real t, real *line)
+{
+    struct half_plane p;
+    half_plane_at(k, edge->span, t, false, &p);
+    real length = real_sqrt(p.l[0] * p.l[0] + p.l[1] * p.l[1]);
+    for (int i = 0; i < 3; i++) {
+        line[i] = p.l[i] / length;
+    }
+}
+
+/* d/dt of the square of the distance from d to the arc has the sign of the product of these two scaled forms,
+ * up to the constant sign of Z: the way from d, (X - x Z, Y - y Z), and the direction of e', (X'Z - X Z',
+ * ...). */
+static int distance_slope(const struct envelope *a, const real *pascal, struct point d, real *g)
+{
+    int e = a->e, m = 2 * e - 2, length = e + 1;
+    real way[2][FORM_MAX], at[3][FORM_MAX], slope[3][FORM_MAX], direction[2][FORM_MAX];
+    for (int c = 0; c < 3; c++) {
+        const real *from = a->w + c * length;
+        for (int i = 0; i < e; i++) {
+            at[c][i] = from[i] * pascal_row(pascal, e - 1)[i];
+            slope[c][i] = (from[i + 1] - from[i]) * pascal_row(pascal, e - 1)[i];
+        }
+    }
+    form_clear(3 * e - 2, g);
+    for (int c = 0; c < 2; c++) {
+        for (int i = 0; i <= e; i++) {
+            way[c][i] =
+                (a->w[c * length + i] - (c ? d.y : d.x) * a->w[2 * length + i]) * pascal_row(pascal, e)[i];
+        }
+        form_clear(m, direction[c]);
+        form_add_product(e - 1, slope[c], e - 1, at[2], 1, direction[c]);
+        form_add_product(e - 1, at[c], e - 1, slope[2], -1, direction[c]);
+        form_add_product(e, way[c], m, direction[c], 1, g);
+    }
+    form_unscale(3 * e - 2, pascal, g, g);
+    return 3 * e - 2;
+}
+
+int envelope_feet(struct region_work *k, const struct region_edge *edge, const struct envelope *a,
+                  struct point d, real *t)
+{
+    real g[FORM_MAX], error[FORM_MAX], most = 0;
+    real lo = real_min(edge->t, edge->t1), hi = real_max(edge->t, edge->t1);
+    int n = distance_slope(a, k->pascal, d, g);
+    for (int i = 0; i <= n; i++) {
+        most = real_max(most, real_abs(g[i]));
+    }
+    for (int i = 0; i <= n; i++) {
+        error[i] = 16 * n * REAL_EPSILON * most;
+    }
+    int feet = form_crossings(k, n, g, error, FORM_MAX, t);
+    for (int i = 0; i < feet; i++) {
+        t[i] = lo + t[i] * (hi - lo);
+    }
+    return feet < 0 ? 0 : feet;
+}
+
+real envelope_distance(struct region_work *k, const struct region_edge *edge, const struct envelope *a,
+                       struct point d, real *t)
+{
+    real foot[FORM_MAX], line[3], least = 0;
+    int feet = envelope_feet(k, edge, a, d, foot);
+    for (int i = -2; i < feet; i++) {
+        real at = i == -2 ? edge->t : i == -1 ? edge->t1 : foot[i];
+        envelope_tangent(k, edge, at, line);
+        real distance = line[0] * d.x + line[1] * d.y + line[2];
+        if (i == -2 || distance < least) {
+            least = distance;
+            *t = at;
+        }
+    }
+    return least;
+}

@@ -1,0 +1,122 @@
+/* The certificate: vertices and arcs fulfil all conditions.
+ *
+ * An arc is convex where w3 and M keep their signs and its normals stay within a half turn; then it fulfils
+ * the conditions of its own tangents, and lies in the triangle of its ends and the point where their tangents
+ * meet. Triangles are halved until their corners fulfil the other conditions. */
+#include "carriers.h"
+#include "form.h"
+
+#include "../core/bernstein.h"
+
+enum { TRIANGLES = 400, STACK = 64 };
+
+/* A form does not change its sign on [lo, hi], to rounding. */
+static bool keeps_sign(struct region_work *k, int n, const real *c, const real *bound, real lo, real hi)
+{
+    real both[2 * FORM_MAX], cut[2 * FORM_MAX], scratch[FORM_MAX], where;
+    if (n < 0 || n >= FORM_MAX) {
+        return false;
+    }
+    for (int i = 0; i <= n; i++) {
+        both[i] = c[i];
+        both[n + 1 + i] = bound[i];
+    }
+    bernstein_restrict(n, 2, both, lo, hi, cut);
+    real middle = n == 0 ? cut[0] : bernstein_value_slope(n, cut, (real)1 / 2, scratch, &where);
+    for (int i = 0; middle < 0 && i <= n; i++) {
+        cut[i] = -cut[i];
+    }
+    return form_holds(k, n, cut, cut + n + 1, &where) == HOLDS;
+}
+
+static bool is_convex(struct region_work *k, const struct carrier_arc *a)
+{
+    const struct span_forms *f = &k->span[k->piece[a->piece].span].form;
+    struct half_plane from, to;
+    real g[FORM_MAX], bound[FORM_MAX];
+    for (int i = 0; i <= f->e; i++) {
+        bound[i] = 16 * k->degree * REAL_EPSILON;
+    }
+    if (!keeps_sign(k, f->e, f->w + 2 * (f->e + 1), bound, a->from.t, a->to.t) ||
+        !keeps_sign(k, f->m, f->M, f->M + f->m + 1, a->from.t, a->to.t) ||
+        !half_plane_at(k, k->piece[a->piece].span, a->from.t, false, &from) ||
+        !half_plane_at(k, k->piece[a->piece].span, a->to.t, false, &to)) {
+        return false;
+    }
+    real x = from.l[0] + to.l[0], y = from.l[1] + to.l[1];
+    for (int i = 0; i <= f->l; i++) {
+        g[i] = f->L[i] * x + f->L[f->l + 1 + i] * y;
+        bound[i] = 4 * REAL_EPSILON * f->L[3 * (f->l + 1) + i];
+    }
+    return keeps_sign(k, f->l, g, bound, a->from.t, a->to.t);
+}
+
+static bool holds_at(struct region_work *k, const struct piece *except, const real *v, real error)
+{
+    struct half_plane worst;
+    return planes_hold(k, except, v, error, &worst) == HOLDS;
+}
+
+/* Where the tangents at both ends meet. */
+static bool apex_holds(struct region_work *k, const struct piece *p, real lo, real hi)
+{
+    struct half_plane from, to;
+    real v[3], error;
+    if (!half_plane_at(k, p->span, lo, false, &from) || !half_plane_at(k, p->span, hi, false, &to)) {
+        return false;
+    }
+    const struct half_plane *first = k->sign > 0 ? &from : &to, *second = k->sign > 0 ? &to : &from;
+    triple_meet(first->l, first->error, second->l, second->error, v, &error); /* counter-clockwise: Z >= 0 */
+    return error < real_ldexp(1, -REAL_BITS / 4) && holds_at(k, p, v, error);
+}
+
+static bool arc_holds(struct region_work *k, const struct carrier_arc *a)
+{
+    const struct piece *p = &k->piece[a->piece];
+    real stack[STACK], v[3];
+    int waiting = 0;
+    stack[waiting++] = a->from.t;
+    stack[waiting++] = a->to.t;
+    for (int triangles = 0; waiting > 0; triangles++) {
+        real hi = stack[--waiting], lo = stack[--waiting], middle = lo + (hi - lo) / 2;
+        if (apex_holds(k, p, lo, hi)) {
+            continue;
+        }
+        envelope_at(k, p->span, middle, v);
+        if (triangles >= TRIANGLES || waiting + 4 > STACK || !holds_at(k, p, v, 8 * REAL_EPSILON)) {
+            return false;
+        }
+        stack[waiting++] = lo;
+        stack[waiting++] = middle;
+        stack[waiting++] = middle;
+        stack[waiting++] = hi;
+    }
+    return true;
+}
+
+/* An end of an edge: a point, or a direction. */
+static bool end_holds(struct region_work *k, struct point p, bool infinite)
+{
+    real v[3] = {p.x, p.y, infinite ? (real)0 : (real)1};
+    triple_normalise(v);
+    return holds_at(k, NULL, v, 64 * REAL_EPSILON);
+}
+
+bool carriers_certify(struct region_work *k, const struct carrier_arcs *visible, const struct region *r)
+{
+    for (int i = 0; i < r->count; i++) {
+        const struct region_edge *e = &r->edge[i];
+        struct half_plane plane;
+        bool is_sharp =
+            half_plane_at(k, e->span, e->t, false, &plane) && plane.error < real_ldexp(1, -REAL_BITS * 3 / 8);
+        if (!is_sharp || !end_holds(k, e->from, e->from_infinity) || !end_holds(k, e->to, e->to_infinity)) {
+            return false;
+        }
+    }
+    for (int i = 0; i < visible->count; i++) {
+        if (!is_convex(k, &visible->at[i]) || !arc_holds(k, &visible->at[i])) {
+            return false;
+        }
+    }
+    return true;
+}

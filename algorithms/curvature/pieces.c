@@ -1,0 +1,325 @@
+#include "pieces.h"
+
+#include "../core/bernstein.h"
+#include "cone.h"
+#include "form.h"
+
+enum { CUTS = 4 * FORM_MAX };
+
+/* ---- where to cut ---- */
+
+static int add_cuts(struct region_work *k, int n, const real *c, const real *error, int reason, int room,
+                    int count, struct cut *out)
+{
+    real t[FORM_MAX];
+    int roots = count < 0 ? -1 : form_crossings(k, n, c, error, FORM_MAX, t);
+    if (roots < 0 || count + roots > room) {
+        return -1;
+    }
+    for (int i = 0; i < roots; i++) {
+        int at = count++;
+        for (; at > 0 && out[at - 1].t > t[i]; at--) {
+            out[at] = out[at - 1];
+        }
+        out[at].t = t[i];
+        out[at].reasons = reason;
+    }
+    return count;
+}
+
+static int merge_cuts(int count, struct cut *out)
+{
+    const real close = real_ldexp(1, -REAL_BITS / 2);
+    int kept = 0;
+    for (int i = 0; i < count; i++) {
+        if (kept > 0 && out[i].t - out[kept - 1].t <= close) {
+            /* M's root is the one that matters: its tangent is a corner line */
+            out[kept - 1].t = (out[i].reasons & BREAK_M) ? out[i].t : out[kept - 1].t;
+            out[kept - 1].reasons |= out[i].reasons;
+        } else {
+            out[kept++] = out[i];
+        }
+    }
+    return kept;
+}
+
+/* Error bounds for the coefficients of w: the noise of differences of coefficients of size below 4. */
+static void envelope_noise(const struct region_work *k, int e, real *error)
+{
+    for (int i = 0; i <= e; i++) {
+        error[i] = 16 * k->degree * REAL_EPSILON;
+    }
+}
+
+int span_cuts(struct region_work *k, const struct span *s, enum cuts cuts, int room, struct cut *out)
+{
+    const struct span_forms *f = &s->form;
+    real error[FORM_MAX];
+    int count = 0, length = f->l + 1;
+    if (cuts == WHOLE) {
+        return 0;
+    }
+    if (f->m > 0) {
+        count = add_cuts(k, f->m, f->M, f->M + f->m + 1, BREAK_M, room, count, out);
+    }
+    if (cuts == AT_ALL && !f->fixed) {
+        envelope_noise(k, f->e, error);
+        count = add_cuts(k, f->e, f->w + 2 * (f->e + 1), error, BREAK_N, room, count, out);
+        for (int i = 0; i < length; i++) {
+            error[i] = f->L[3 * length + i] * REAL_EPSILON;
+        }
+        count = add_cuts(k, f->l, f->L, error, BREAK_A, room, count, out);
+        count = add_cuts(k, f->l, f->L + length, error, BREAK_B, room, count, out);
+    }
+    return count < 0 ? -1 : merge_cuts(count, out);
+}
+
+/* ---- the pieces ---- */
+
+static int sign(real a)
+{
+    return a > 0 ? 1 : a < 0 ? -1 : 0;
+}
+
+/* S+ is where sign w3 M > 0. */
+static int type_at(const struct region_work *k, const struct span_forms *f, real t)
+{
+    real w3, M;
+    if (f->m < 0 || f->fixed) {
+        return 0;
+    }
+    form_values(f->e, 1, f->w + 2 * (f->e + 1), t, &w3);
+    form_values(f->m, 1, f->M, t, &M);
+    return k->sign * sign(w3) * sign(M);
+}
+
+static real *take(struct region_work *k, size_t length)
+{
+    if (k->piece_used + length > k->piece_length) {
+        return NULL;
+    }
+    k->piece_used += length;
+    return k->piece_pool + (k->piece_used - length);
+}
+
+static bool add_piece(struct region_work *k, int span, real lo, real hi, enum cuts cuts)
+{
+    const struct span_forms *f = &k->span[span].form;
+    if (k->pieces == k->room_pieces) {
+        return false;
+    }
+    struct piece *p = &k->piece[k->pieces++];
+    p->span = span;
+    p->lo = lo;
+    p->hi = hi;
+    p->L = f->L;
+    p->w = f->w;
+    p->type = p->chain = p->quarter = 0;
+    if (lo > 0 || hi < 1) {
+        real *L = take(k, 4 * (size_t)(f->l + 1));
+        if (!L) {
+            return false;
+        }
+        bernstein_restrict(f->l, 4, f->L, lo, hi, L);
+        p->L = L;
+    }
+    if (cuts != AT_ALL) {
+        return true;
+    }
+    p->type = type_at(k, f, lo + (hi - lo) / 2);
+    if (p->type > 0 && (lo > 0 || hi < 1)) {
+        real *w = take(k, 3 * (size_t)(f->e + 1));
+        if (!w) {
+            return false;
+        }
+        bernstein_restrict(f->e, 3, f->w, lo, hi, w);
+        p->w = w;
+    }
+    return true;
+}
+
+/* Unit vectors on one line through 0, to within what neighbouring spans agree in. */
+static bool is_parallel(const real *a, const real *b)
+{
+    real c[3], close = real_ldexp(1, -REAL_BITS / 2);
+    triple_cross(a, b, c);
+    return triple_dot(c, c) <= close * close;
+}
+
+bool joint_is_smooth(const struct region_work *k, int span)
+{
+    struct half_plane left, right;
+    real v[3], w[3];
+    if (!half_plane_at(k, span, 1, true, &left) || !half_plane_at(k, span + 1, 0, true, &right) ||
+        !is_parallel(left.l, right.l) || !(triple_dot(left.l, right.l) > 0)) {
+        return false;
+    }
+    envelope_at(k, span, 1, v);
+    envelope_at(k, span + 1, 0, w);
+    return is_parallel(v, w);
+}
+
+/* Chains of arcs, and in each the quarters: the tangent turns by pi/2 at most between roots of A and of B. */
+static void number_chains(struct region_work *k, int first, const struct cut *cut)
+{
+    for (int i = first; i < k->pieces; i++) {
+        struct piece *p = &k->piece[i];
+        const struct piece *before = i > 0 ? p - 1 : NULL;
+        int reasons = i > first ? cut[i - first - 1].reasons : 0;
+        bool goes_on = before && before->type > 0 && p->type > 0 && !(reasons & (BREAK_M | BREAK_N));
+        if (i == first) {
+            goes_on = goes_on && joint_is_smooth(k, before->span);
+        }
+        p->chain = before ? before->chain + !goes_on : 0;
+        p->quarter = goes_on ? before->quarter + ((reasons & (BREAK_A | BREAK_B)) != 0) : 0;
+    }
+}
+
+bool pieces_make(struct region_work *k, enum cuts cuts)
+{
+    struct cut cut[CUTS + 1];
+    k->pieces = 0;
+    k->piece_used = 0;
+    for (int i = 0; i < k->spans; i++) {
+        int count = span_cuts(k, &k->span[i], cuts, CUTS, cut), first = k->pieces;
+        real lo = 0;
+        for (int j = 0; j <= count; j++) {
+            real hi = j < count ? cut[j].t : (real)1;
+            if (!add_piece(k, i, lo, hi, cuts)) {
+                return false;
+            }
+            lo = hi;
+        }
+        if (count < 0) {
+            return false;
+        }
+        if (cuts == AT_ALL) {
+            number_chains(k, first, cut);
+        }
+    }
+    return true;
+}
+
+/* ---- half-planes ---- */
+
+bool half_plane_at(const struct region_work *k, int span, real t, bool corner, struct half_plane *out)
+{
+    const struct span_forms *f = &k->span[span].form;
+    real value[4];
+    if (t == 0 || t == 1) {
+        for (int c = 0; c < 4; c++) {
+            value[c] = f->L[c * (f->l + 1) + (t == 0 ? 0 : f->l)];
+        }
+    } else {
+        form_values(f->l, 4, f->L, t, value);
+    }
+    real length = triple_normalise(value);
+    out->source = MEMBER;
+    out->corner = corner;
+    out->span = span;
+    out->t = t;
+    for (int c = 0; c < 3; c++) {
+        out->l[c] = value[c];
+    }
+    if (!(length > value[3] * REAL_EPSILON)) {
+        return false;
+    }
+    out->error = 3 * REAL_EPSILON * (1 + value[3] / length);
+    return true;
+}
+
+void envelope_at(const struct region_work *k, int span, real t, real *v)
+{
+    const struct span_forms *f = &k->span[span].form;
+    form_values(f->e, 3, f->w, t, v);
+    triple_normalise(v);
+    if (v[2] < 0) {
+        for (int c = 0; c < 3; c++) {
+            v[c] = -v[c];
+        }
+    }
+}
+
+/* Least value of c over [0, 1] near that of its control points, by Newton on the derivative. */
+static real lowest_near(int n, const real *c)
+{
+    real d[FORM_MAX], scratch[FORM_MAX], slope;
+    int least = 0;
+    for (int i = 1; i <= n; i++) {
+        least = c[i] < c[least] ? i : least;
+    }
+    real t = n > 0 ? (real)least / n : (real)0;
+    if (n < 2 || least == 0 || least == n) {
+        return t;
+    }
+    bernstein_derivative(n, c, d);
+    for (int i = 0; i < 4; i++) {
+        real f = bernstein_value_slope(n - 1, d, t, scratch, &slope);
+        if (!(slope > 0)) {
+            break;
+        }
+        real next = t - f / slope;
+        t = next < 0 ? (real)0 : next > 1 ? (real)1 : next;
+    }
+    return t;
+}
+
+static void heights(const struct piece *p, int l, const real *v, real error, real *h, real *bound)
+{
+    const real *A = p->L, *B = A + l + 1, *C = B + l + 1, *E = C + l + 1;
+    for (int i = 0; i <= l; i++) {
+        h[i] = A[i] * v[0] + B[i] * v[1] + C[i] * v[2];
+        bound[i] = 2 * REAL_EPSILON * E[i] + error * (real_abs(A[i]) + real_abs(B[i]) + real_abs(C[i]));
+    }
+}
+
+enum verdict piece_holds(struct region_work *k, const struct piece *p, const real *v, real error, real *where)
+{
+    real h[FORM_MAX], bound[FORM_MAX], t, value[2];
+    int l = k->span[p->span].form.l;
+    heights(p, l, v, error, h, bound);
+    enum verdict verdict = form_holds(k, l, h, bound, &t);
+    if (verdict == FAILS) {
+        real other = lowest_near(l, h);
+        form_values(l, 1, h, t, &value[0]);
+        form_values(l, 1, h, other, &value[1]);
+        t = value[1] < value[0] ? other : t;
+        *where = t == 0 ? p->lo : t == 1 ? p->hi : p->lo + t * (p->hi - p->lo);
+    }
+    return verdict;
+}
+
+static bool is_excepted(const struct piece *p, const struct piece *except)
+{
+    int turn = except ? p->quarter - except->quarter : 0;
+    return except && p->type > 0 && p->chain == except->chain && turn >= -1 && turn <= 1;
+}
+
+enum verdict planes_hold(struct region_work *k, const struct piece *except, const real *v, real error,
+                         struct half_plane *worst)
+{
+    enum verdict all = HOLDS;
+    real lowest = 0, t;
+    struct half_plane plane;
+    for (int i = 0; i < k->pieces + k->chords; i++) {
+        bool is_chord = i >= k->pieces;
+        if (is_chord) {
+            plane = k->chord[i - k->pieces];
+        } else if (is_excepted(&k->piece[i], except)) {
+            continue;
+        } else {
+            enum verdict one = piece_holds(k, &k->piece[i], v, error, &t);
+            all = one == UNSURE && all == HOLDS ? UNSURE : all;
+            if (one != FAILS || !half_plane_at(k, k->piece[i].span, t, false, &plane)) {
+                continue;
+            }
+        }
+        real height = triple_dot(plane.l, v);
+        if (height < lowest && height < -(plane.error + error)) {
+            lowest = height;
+            *worst = plane;
+            all = FAILS;
+        }
+    }
+    return all;
+}
