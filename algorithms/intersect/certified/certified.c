@@ -289,7 +289,7 @@ const struct intersector certified = {
     .summary = "every crossing proved by cross products, every contact resolved or owned up to",
     .reference = "here; cones of directions: Sederberg and Meyers, Loop detection in surface patch "
                  "intersections, 1988",
-    .claimed = {2, 0, 0, 0},
+    .claimed = {0, 0, 0, 0},
     .intersect = intersect,
     .scratch = scratch,
     .points_only = false,
