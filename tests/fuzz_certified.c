@@ -74,6 +74,17 @@ static bool is_finite(const struct curve *c, double *size)
     return true;
 }
 
+/* Weights that differ by more than this may be refused. */
+static bool is_balanced(const struct curve *c)
+{
+    double least = INFINITY, most = 0;
+    for (int i = 0; c->w && i <= c->degree; i++) {
+        least = fmin(least, c->w[i]);
+        most = fmax(most, c->w[i]);
+    }
+    return !c->w || (most <= ldexp(least, 200) && least > 1e-300 && most < 1e300);
+}
+
 static void require(bool holds)
 {
     if (!holds)
@@ -131,7 +142,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
     double size = 0;
     bool valid = n > 0 && m > 0 && n <= DEGREE_MAX && m <= DEGREE_MAX && is_finite(&p.f, &size) &&
                  is_finite(&p.g, &size);
-    require((o == INVALID) == !valid);
+    require(valid || o == INVALID);
+    require(o != INVALID || !valid || !is_balanced(&p.f) || !is_balanced(&p.g));
     require(w.steps <= p.max_steps);
     for (int i = 0; i < out.count; i++) {
         const struct crossing *c = &out.at[i];

@@ -247,6 +247,26 @@ static bool is_root(const struct solver *z, const struct pair *at)
     return at->level == 0 && at->f == z->root_f && at->g == z->root_g;
 }
 
+/* The pair on top of the stack is settled, split, or accepted. */
+static void step(struct solver *z)
+{
+    struct pair at = z->pair[--z->pairs];
+    if (at.level + 1 < z->levels) {
+        levels_drop(z, at.level);
+    }
+    if (z->w->steps >= z->p->max_steps) {
+        z->outcome = OUT_OF_STEPS;
+        pair_accept(z, &at);
+        return;
+    }
+    z->w->steps++;
+    if (at.level > 0 && level_is_over(z, at.level)) {
+        level_give_up(z);
+    } else if (settle(z, &at) == OPEN && !(is_root(z, &at) && pair_split_root(z, &at))) {
+        pair_split(z, &at);
+    }
+}
+
 static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
 {
     struct solver z;
@@ -261,23 +281,7 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
         if (is_crowded(&z.f) || is_crowded(&z.g)) {
             nodes_collect(&z);
         }
-        struct pair at = z.pair[--z.pairs];
-        if (at.level + 1 < z.levels) {
-            levels_drop(&z, at.level);
-        }
-        if (w->steps >= p->max_steps) {
-            z.outcome = OUT_OF_STEPS;
-            pair_accept(&z, &at);
-            continue;
-        }
-        w->steps++;
-        if (at.level > 0 && level_is_over(&z, at.level)) {
-            level_give_up(&z);
-            continue;
-        }
-        if (settle(&z, &at) == OPEN && !(is_root(&z, &at) && pair_split_root(&z, &at))) {
-            pair_split(&z, &at);
-        }
+        step(&z);
     }
     records_tidy(&z);
     return z.outcome;

@@ -164,6 +164,7 @@ enum search zero_prove(struct solver *z, int level, const struct zero *x, real w
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                            const struct zero *x, int at_most, bool exists);
 
+/* Does what of the region is in the domain lie in a solved rectangle? */
 bool region_is_solved(const struct solver *z, int level, const struct zero *x);
 /* The same where nothing is proved: OPEN if there is no closer look to be had. */
 enum verdict region_look(struct solver *z, int level, const struct zero *x);
@@ -179,9 +180,9 @@ void solved_add(struct solver *z, const struct interval *t, const struct interva
 
 /* ---- zoom.c ---- */
 
-/* A level over the region x of level `from`, or a little more, pushed as a pair; false if there is no memory,
- * or it would not be smaller by the factor `shorter` in either parameter.  at_most: what is proved of the
- * region, if what is found there takes too long; 0: nothing. */
+/* A level over the region x of level `from`, and some more around it, pushed as a pair; false if there is no
+ * memory, or it would not be narrower by the factor `shorter` in one of the parameters.  otherwise: a record
+ * that holds all solutions of the region, if what is found there takes too long. */
 bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const struct crossing *otherwise);
 /* Pairs of the last level took too many steps: they and what they found give way to the record `otherwise`.
  */

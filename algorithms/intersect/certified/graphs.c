@@ -138,7 +138,8 @@ static void run_localize(const struct node *a, struct interval *run)
     run->hi = run->hi * a->pace_hi / width * (1 + 8 * REAL_EPSILON);
 }
 
-bool graphs_init(const struct level *v, const struct node *f, const struct node *g, struct graphs *out)
+/* The direction halfway between the chords; false if they point too far apart. */
+static bool direction(const struct level *v, const struct node *f, const struct node *g, struct graphs *out)
 {
     const int n = v->f.n, m = v->g.n;
     real ux = at_x(&v->f, f, n) - at_x(&v->f, f, 0), uy = at_y(&v->f, f, n) - at_y(&v->f, f, 0);
@@ -147,27 +148,25 @@ bool graphs_init(const struct level *v, const struct node *f, const struct node 
     out->sign = ux * wx + uy * wy < 0 ? -1 : 1;
     real ex = ux / u + out->sign * wx / w, ey = uy / u + out->sign * wy / w;
     real length = real_sqrt(ex * ex + ey * ey);
-    ex = ex / length;
-    ey = ey / length;
-    out->ex = ex;
-    out->ey = ey;
-    if (!(length > (real)0.5) || !run_of(f, ex, ey, 1, &out->run_f) ||
-        !run_of(g, ex, ey, out->sign, &out->run_g)) {
-        return false;
-    }
-    out->curve_f = curvature_of(f, &out->run_f, 1);
-    out->curve_g = curvature_of(g, &out->run_g, out->sign);
-    run_localize(f, &out->run_f);
-    run_localize(g, &out->run_g);
-    real most =
-        real_max(real_max(out->curve_f.hi, -out->curve_f.lo), real_max(out->curve_g.hi, -out->curve_g.lo));
-    out->bend = most;
-    /* the common part in x, from end points that err by the nodes' errors */
-    bool ahead = out->sign > 0;
-    out->x_f.lo = ex * at_x(&v->f, f, 0) + ey * at_y(&v->f, f, 0);
-    out->x_f.hi = ex * at_x(&v->f, f, n) + ey * at_y(&v->f, f, n);
-    out->x_g.lo = ex * at_x(&v->g, g, ahead ? 0 : m) + ey * at_y(&v->g, g, ahead ? 0 : m);
-    out->x_g.hi = ex * at_x(&v->g, g, ahead ? m : 0) + ey * at_y(&v->g, g, ahead ? m : 0);
+    out->ex = ex / length;
+    out->ey = ey / length;
+    return length > (real)0.5;
+}
+
+static real abscissa(const struct source *c, const struct node *a, const struct graphs *h, int i)
+{
+    return h->ex * at_x(c, a, i) + h->ey * at_y(c, a, i);
+}
+
+/* The common part in x, from end points that err by the nodes' errors. */
+static void common_range(const struct level *v, const struct node *f, const struct node *g,
+                         struct graphs *out)
+{
+    int first = out->sign > 0 ? 0 : v->g.n, last = v->g.n - first;
+    out->x_f.lo = abscissa(&v->f, f, out, 0);
+    out->x_f.hi = abscissa(&v->f, f, out, v->f.n);
+    out->x_g.lo = abscissa(&v->g, g, out, first);
+    out->x_g.hi = abscissa(&v->g, g, out, last);
     out->x_error = 2 * (v->f.node_error + v->g.node_error);
     out->x.lo = real_max(out->x_f.lo, out->x_g.lo);
     out->x.hi = real_min(out->x_f.hi, out->x_g.hi);
@@ -175,6 +174,25 @@ bool graphs_init(const struct level *v, const struct node *f, const struct node 
     if (out->x.lo > out->x.hi) {
         out->x.lo = out->x.hi = (out->x.lo + out->x.hi) / 2;
     }
+}
+
+static real largest(const struct interval *a)
+{
+    return real_max(a->hi, -a->lo);
+}
+
+bool graphs_init(const struct level *v, const struct node *f, const struct node *g, struct graphs *out)
+{
+    if (!direction(v, f, g, out) || !run_of(f, out->ex, out->ey, 1, &out->run_f) ||
+        !run_of(g, out->ex, out->ey, out->sign, &out->run_g)) {
+        return false;
+    }
+    out->curve_f = curvature_of(f, &out->run_f, 1);
+    out->curve_g = curvature_of(g, &out->run_g, out->sign);
+    run_localize(f, &out->run_f);
+    run_localize(g, &out->run_g);
+    out->bend = real_max(largest(&out->curve_f), largest(&out->curve_g));
+    common_range(v, f, g, out);
     return true;
 }
 
