@@ -57,10 +57,12 @@ LINK_double = $(CC)
 LINK_quad   = $(CC)
 LINK_multi  = $(CXX)
 
-common_objects = $(COMMON_MODULES:%=build/common/harness/%.o)
+# A module of the harness is named without its folder.
+module_objects = $(patsubst %.c,build/$(1)/%.o,$(foreach M,$(2),$(wildcard harness/*/$(M).c)))
+common_objects := $(call module_objects,common,$(COMMON_MODULES))
 algorithm_objects = $(patsubst %.c,build/$(1)/%.o,$(ALGORITHMS_$(1)))
 watched_objects   = $(patsubst %.c,build/$(1)/watched/%.o,$(ALGORITHMS_$(1)))
-real_objects      = $(patsubst %,build/$(1)/harness/%.o,$(REAL_MODULES))
+real_objects      = $(call module_objects,$(1),$(REAL_MODULES))
 
 build/common/%.o: %.c
 	@mkdir -p $(@D)
@@ -93,7 +95,7 @@ common_library = build/common/libcommon.a
 $(common_library): $(common_objects)
 	@rm -f $@
 	ar rcs $@ $^
-build/double/fatline-generate: $(GENERATE_MODULES:%=build/common/harness/%.o)
+build/double/fatline-generate: $(call module_objects,common,$(GENERATE_MODULES))
 build/double/fatline-generate: LIBS += $(FREETYPE_LIBS)
 $(PROGRAMS_ONCE:%=build/double/fatline-%): build/double/fatline-%: build/common/harness/%.o $(common_library)
 	@mkdir -p $(@D)

@@ -18,12 +18,12 @@
 
 #include <argp.h>
 
-#include "check_estimate.h"
-#include "check_table.h"
-#include "check_worker.h"
-#include "progress.h"
-#include "resume.h"
-#include "row.h"
+#include "judge/check_estimate.h"
+#include "judge/check_table.h"
+#include "judge/check_worker.h"
+#include "run/progress.h"
+#include "run/resume.h"
+#include "run/row.h"
 
 enum { OK = 0, NOT_RIGHT = 1, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
 

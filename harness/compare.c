@@ -1,5 +1,5 @@
 /* `fatline compare`. */
-#include "compare.h"
+#include "timing/compare.h"
 
 #include <argp.h>
 #include <math.h>
@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "noise.h"
-#include "row.h"
+#include "timing/noise.h"
+#include "run/row.h"
 
 const char *argp_program_version = "fatline 0.1";
 

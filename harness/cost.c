@@ -3,12 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "case.h"
-#include "cost_law.h"
-#include "measuring.h"
-#include "problem.h"
-#include "progress.h"
-#include "row.h"
+#include "cases/case.h"
+#include "convergence/cost_law.h"
+#include "convergence/measuring.h"
+#include "cases/problem.h"
+#include "run/progress.h"
+#include "run/row.h"
 
 const char *argp_program_version = "fatline 0.1";
 

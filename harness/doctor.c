@@ -8,11 +8,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "case_set.h"
-#include "clock.h"
-#include "noise.h"
-#include "row.h"
-#include "statistics.h"
+#include "cases/case_set.h"
+#include "timing/clock.h"
+#include "timing/noise.h"
+#include "run/row.h"
+#include "timing/statistics.h"
 
 const char *argp_program_version = "fatline 0.1";
 

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "family.h"
-#include "glyphs.h"
+#include "families/family.h"
+#include "families/glyphs.h"
 
 enum { EXIT_BROKEN = 2, DEGREES_MAX = 64 };
 

@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "../algorithms/core/reduce.h"
-#include "lemma_measure.h"
-#include "measuring.h"
-#include "problem.h"
-#include "progress.h"
-#include "row.h"
+#include "convergence/lemma_measure.h"
+#include "convergence/measuring.h"
+#include "cases/problem.h"
+#include "run/progress.h"
+#include "run/row.h"
 
 const char *argp_program_version = "fatline 0.1";
 

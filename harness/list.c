@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "../algorithms/peers/foreign.h"
-#include "algorithms_named.h"
-#include "guard.h"
+#include "run/algorithms_named.h"
+#include "run/guard.h"
 
 struct request {
     bool json;

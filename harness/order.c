@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "measuring.h"
-#include "order_measure.h"
-#include "problem.h"
-#include "progress.h"
-#include "row.h"
+#include "convergence/measuring.h"
+#include "convergence/order_measure.h"
+#include "cases/problem.h"
+#include "run/progress.h"
+#include "run/row.h"
 
 const char *argp_program_version = "fatline 0.1";
 

@@ -10,10 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "case_set.h"
-#include "clock.h"
-#include "judge.h"
-#include "number.h"
+#include "cases/case_set.h"
+#include "timing/clock.h"
+#include "judge/judge.h"
+#include "cases/number.h"
 
 struct passes {
     struct case_set set;

@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "region_answer.h"
-#include "region_check.h"
-#include "region_options.h"
-#include "region_problem.h"
-#include "row.h"
+#include "regions/region_answer.h"
+#include "regions/region_check.h"
+#include "regions/region_options.h"
+#include "regions/region_problem.h"
+#include "run/row.h"
 
 enum { OK = 0, WRONG = 1, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
 

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "case_set.h"
-#include "clock.h"
-#include "number.h"
+#include "cases/case_set.h"
+#include "timing/clock.h"
+#include "cases/number.h"
 
 const char *argp_program_version = "fatline 0.1";
 

@@ -9,9 +9,9 @@
 #include <string.h>
 
 #include "../algorithms/core/roots.h"
-#include "planted_roots.h"
-#include "row.h"
-#include "statistics.h"
+#include "families/planted_roots.h"
+#include "run/row.h"
+#include "timing/statistics.h"
 
 enum { ROOM = PLANTED_DEGREE_MAX + 1, WIDTHS_MAX = 4096, ACCURACIES_MAX = 64, DEGREES_MAX = 8, DEFAULTS = 8 };
 

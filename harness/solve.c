@@ -10,14 +10,14 @@
 
 #include <argp.h>
 
-#include "answer.h"
-#include "answer_table.h"
-#include "case.h"
-#include "external.h"
-#include "problem.h"
-#include "guard.h"
-#include "progress.h"
-#include "solve_options.h"
+#include "judge/answer.h"
+#include "judge/answer_table.h"
+#include "cases/case.h"
+#include "run/external.h"
+#include "cases/problem.h"
+#include "run/guard.h"
+#include "run/progress.h"
+#include "run/solve_options.h"
 
 enum { OK = 0, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
 

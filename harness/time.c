@@ -6,13 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "guard.h"
-#include "instructions.h"
-#include "noise.h"
-#include "progress.h"
-#include "resume.h"
-#include "row.h"
-#include "time_family.h"
+#include "run/guard.h"
+#include "timing/instructions.h"
+#include "timing/noise.h"
+#include "run/progress.h"
+#include "run/resume.h"
+#include "run/row.h"
+#include "timing/time_family.h"
 
 const char *argp_program_version = "fatline 0.1";
 

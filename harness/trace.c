@@ -3,13 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "case.h"
-#include "measuring.h"
-#include "number.h"
-#include "path.h"
-#include "problem.h"
-#include "progress.h"
-#include "row.h"
+#include "cases/case.h"
+#include "convergence/measuring.h"
+#include "cases/number.h"
+#include "convergence/path.h"
+#include "cases/problem.h"
+#include "run/progress.h"
+#include "run/row.h"
 
 const char *argp_program_version = "fatline 0.1";
 

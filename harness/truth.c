@@ -9,12 +9,12 @@
 #include <unistd.h>
 #include <flint/flint.h>
 
-#include "exact.h"
-#include "exact_poly.h"
-#include "json_text.h"
-#include "progress.h"
-#include "row.h"
-#include "truth_compare.h"
+#include "truth/exact.h"
+#include "truth/exact_poly.h"
+#include "cases/json_text.h"
+#include "run/progress.h"
+#include "run/row.h"
+#include "truth/truth_compare.h"
 
 const char *argp_program_version = "fatline 0.1";
 

@@ -24,9 +24,9 @@
 #include <2geom/basic-intersection.h>
 
 extern "C" {
-#include "../harness/case_set.h"
-#include "../harness/clock.h"
-#include "../harness/statistics.h"
+#include "../harness/cases/case_set.h"
+#include "../harness/timing/clock.h"
+#include "../harness/timing/statistics.h"
 }
 
 namespace

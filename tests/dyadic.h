@@ -6,7 +6,7 @@
 #include <gmp.h>
 
 #include "prop.h"
-#include "../harness/number.h"
+#include "../harness/cases/number.h"
 
 enum { DYADICS_MAX = 66 };
 

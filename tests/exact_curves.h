@@ -8,9 +8,9 @@
 #include <string.h>
 #include <flint/fmpq_poly.h>
 
-#include "../harness/case.h"
-#include "../harness/exact.h"
-#include "../harness/number.h"
+#include "../harness/cases/case.h"
+#include "../harness/truth/exact.h"
+#include "../harness/cases/number.h"
 
 /* (x / w, y / w); w is 1 for polynomial curves. */
 struct plane_curve {

@@ -16,7 +16,7 @@ extern "C" { /* cmocka.h does not say so itself */
 #endif
 
 #include "../algorithms/bezier.h"
-#include "../harness/random.h"
+#include "../harness/cases/random.h"
 
 /* k 2^(-bits) with k uniform in -2^bits..2^bits; bits <= 53. */
 static inline real prop_dyadic(struct random_state *r, int bits)

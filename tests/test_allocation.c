@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../harness/problem.h"
+#include "../harness/cases/problem.h"
 
 /* Volatile: the compiler believes it knows what malloc changes. */
 static volatile bool counting;

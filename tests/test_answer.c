@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "prop.h"
-#include "../harness/answer.h"
+#include "../harness/judge/answer.h"
 
 enum { TRIALS = 200 };
 

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../harness/case.h"
-#include "../harness/number.h"
+#include "../harness/cases/case.h"
+#include "../harness/cases/number.h"
 
 static const char own[] = "\"f\":{\"points\":[[0,0],[1,2]]},\"g\":{\"points\":[[0,1],[1,1]]}";
 

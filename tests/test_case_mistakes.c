@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../harness/case.h"
+#include "../harness/cases/case.h"
 
 static const char own[] = "\"f\":{\"points\":[[0,0],[1,2]]},\"g\":{\"points\":[[0,1],[1,1]]}";
 

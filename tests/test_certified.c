@@ -8,9 +8,9 @@
 #include <string.h>
 
 #include "prop.h"
-#include "../harness/exact.h"
-#include "../harness/number.h"
-#include "../harness/problem.h"
+#include "../harness/truth/exact.h"
+#include "../harness/cases/number.h"
+#include "../harness/cases/problem.h"
 
 enum {
     DIGITS = REAL_BITS > 113  ? 700 /* finer than any radius */

@@ -5,8 +5,8 @@
 #include <string.h>
 #include <time.h>
 
-#include "../harness/clock.h"
-#include "../harness/statistics.h"
+#include "../harness/timing/clock.h"
+#include "../harness/timing/statistics.h"
 
 enum { ITEMS = 40, ROUNDS = 41 };
 

@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "../harness/case_fields.h"
-#include "../harness/close_up.h"
+#include "../harness/cases/case_fields.h"
+#include "../harness/convergence/close_up.h"
 #include "dyadic.h"
 #include "prop.h"
 

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../harness/lemma_measure.h"
-#include "../harness/problem.h"
+#include "../harness/convergence/lemma_measure.h"
+#include "../harness/cases/problem.h"
 #include "prop.h"
 
 enum { POWERS = 6, LINE = 4096 };

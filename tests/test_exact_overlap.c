@@ -1,7 +1,7 @@
 /* Shared arcs, folded lines and curves that are points, planted. */
 #include "prop.h"
 
-#include "../harness/exact_roots.h"
+#include "../harness/truth/exact_roots.h"
 #include "exact_curves.h"
 
 static void test_overlaps(void **state)

@@ -8,7 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "../harness/external.h"
+#include "../harness/run/external.h"
 
 /* The case lines are ids alone here: what is asked is the program's business, not the pipe's. */
 #define ANSWER                                                                                               \

@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "prop.h"
-#include "../harness/judge.h"
-#include "../harness/judge_groups.h"
-#include "../harness/problem.h"
+#include "../harness/judge/judge.h"
+#include "../harness/judge/judge_groups.h"
+#include "../harness/cases/problem.h"
 
 enum { TRIALS = REAL_BITS == 53 ? 200 : REAL_BITS == 113 ? 60 : 12, GRID = 64 };
 

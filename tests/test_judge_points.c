@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "prop.h"
-#include "../harness/judge_points.h"
-#include "../harness/problem.h"
+#include "../harness/judge/judge_points.h"
+#include "../harness/cases/problem.h"
 
 static const double REACH = 1e-4;
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "prop.h"
-#include "../harness/number.h"
+#include "../harness/cases/number.h"
 
 enum { TRIALS = 5000 };
 

@@ -1,9 +1,9 @@
 /* What the estimators make of sequences whose law is known. */
 #include <math.h>
 
-#include "../harness/cost_law.h"
-#include "../harness/order_estimate.h"
-#include "../harness/regression.h"
+#include "../harness/convergence/cost_law.h"
+#include "../harness/convergence/order_estimate.h"
+#include "../harness/convergence/regression.h"
 #include "prop.h"
 
 enum { MOST = 4000 };

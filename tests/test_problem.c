@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "prop.h"
-#include "../harness/number.h"
-#include "../harness/problem.h"
+#include "../harness/cases/number.h"
+#include "../harness/cases/problem.h"
 
 enum { TRIALS = 300, LINE_MAX_BYTES = 16384 };
 

@@ -6,10 +6,10 @@
 #include <string.h>
 
 #include "prop.h"
-#include "../harness/referee_cells.h"
-#include "../harness/case.h"
-#include "../harness/referee.h"
-#include "../harness/referee_pair.h"
+#include "../harness/truth/referee_cells.h"
+#include "../harness/cases/case.h"
+#include "../harness/truth/referee.h"
+#include "../harness/truth/referee_pair.h"
 
 enum { TRIALS = 150, LINE_BYTES = 1 << 16 };
 

@@ -5,7 +5,7 @@
 #include "nasty.h"
 
 #include "../algorithms/core/roots.h"
-#include "../harness/planted_roots.h"
+#include "../harness/families/planted_roots.h"
 
 enum { DEGREE = 12, SCRATCH = 8192 };
 

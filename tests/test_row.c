@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../harness/row.h"
+#include "../harness/run/row.h"
 
 /* What row_write writes of `row`, read back. */
 static json_t *written(json_t *row)

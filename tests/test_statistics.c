@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../harness/statistics.h"
+#include "../harness/timing/statistics.h"
 
 enum { LONGEST = 60 };
 

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../harness/timing.h"
-#include "../harness/timing_rows.h"
+#include "../harness/timing/timing.h"
+#include "../harness/timing/timing_rows.h"
 
 enum { PAIRS = 12, CASES = PAIRS + 2 }; /* the last two: ambiguous, and without a known answer */
 

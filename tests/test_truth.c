@@ -3,8 +3,8 @@
 
 #include <flint/fmpz_mpoly.h>
 
-#include "../harness/exact_poly.h"
-#include "../harness/truth_compare.h"
+#include "../harness/truth/exact_poly.h"
+#include "../harness/truth/truth_compare.h"
 #include "exact_curves.h"
 
 static void to_mpoly(fmpz_mpoly_t to, const struct biv *p, const fmpz_mpoly_ctx_t ctx)

@@ -1,0 +1,199 @@
+#include "check_case.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "answer.h"
+#include "../truth/exact.h"
+#include "../run/guard.h"
+#include "judge_points.h"
+#include "../cases/problem.h"
+#include "../truth/referee.h"
+
+const char *checker_open(struct checker *k, const struct check_options *o)
+{
+    memset((void *)k, 0, sizeof *k);
+    k->options = o;
+    k->crossings = (struct crossings *)malloc(sizeof *k->crossings);
+    if (!k->crossings)
+        return "out of memory";
+    guard_set_timeout(o->timeout);
+    return o->external ? external_start(&k->external, o->external, o->timeout, (real)o->tolerance) : NULL;
+}
+
+void checker_close(struct checker *k)
+{
+    guard_end();
+    if (k->options->external)
+        external_stop(&k->external);
+    if (k->n > 0)
+        workspace_clear(&k->workspace);
+    free(k->crossings);
+}
+
+static void fit_workspace(struct checker *k, int n, int m)
+{
+    if (n <= k->n && m <= k->m)
+        return;
+    if (k->n > 0)
+        workspace_clear(&k->workspace);
+    k->n = n > k->n ? n : k->n;
+    k->m = m > k->m ? m : k->m;
+    workspace_make(&k->workspace, k->options->algorithms.at, k->n, k->m, k->options->room);
+}
+
+__attribute__((format(printf, 2, 3))) static void note(json_t *reply, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    json_array_append_new(json_object_get(reply, "notes"), json_vsprintf(format, arguments));
+    va_end(arguments);
+}
+
+/* ---- rows ------------------------------------------------------------------------------------------------
+ */
+
+static json_t *number_or_null(double a)
+{
+    return isfinite(a) ? json_real(a) : json_null();
+}
+
+/* The largest of the case's condition numbers; NAN: none is known. */
+static double worst_condition(const struct test_case *c)
+{
+    double cond = NAN;
+    for (int i = 0; c->expected.known && i < c->expected.count; i++)
+        cond = fmax(cond, c->expected.at[i].cond);
+    return cond;
+}
+
+static json_t *row_of(const struct test_case *c, const struct answer *a, const struct judgement *v,
+                      double tol)
+{
+    json_t *row = json_pack("{s:s,s:s,s:s,s:s,s:o,s:s,s:s}", "id", c->id, "class", c->class_name, "algorithm",
+                            a->algorithm, "precision", REAL_NAME, "tolerance", number_or_null(tol), "outcome",
+                            outcome_name(a->outcome), "verdict", verdict_name(v->verdict));
+    const struct {
+        const char *name;
+        int value;
+    } counts[] = {{"expected", v->expected},  {"found", v->found},         {"missed", v->missed},
+                  {"extra", v->extra},        {"duplicate", v->duplicate}, {"merged", v->merged},
+                  {"undecided", v->undecided}};
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
+        json_object_set_new(row, counts[i].name, json_integer(counts[i].value));
+    json_object_set_new(row, "max_error", number_or_null(v->max_error));
+    json_object_set_new(row, "cond", number_or_null(worst_condition(c)));
+    json_object_set_new(row, "ambiguous", json_boolean(c->ambiguous));
+    json_object_set_new(row, "steps", json_integer(a->steps));
+    if (a->points_only)
+        json_object_set_new(row, "judged_by", json_string("points"));
+    json_object_set_new(row, "file", json_string(c->file ? c->file : ""));
+    return row;
+}
+
+/* "tan-012 quad hybrid_clipping_3: missed 1 of 2, near t = 0.37" */
+static void note_failure(json_t *reply, const struct test_case *c, const struct answer *a,
+                         const struct judgement *v)
+{
+    char missed[64] = "", extra[64] = "", duplicate[48] = "", merged[64] = "";
+    if (v->missed)
+        snprintf(missed, sizeof missed, ", missed %d of %d, near t = %.6g", v->missed, v->expected,
+                 v->missed_t);
+    if (v->extra)
+        snprintf(extra, sizeof extra, ", %d extra, near t = %.6g", v->extra, v->extra_t);
+    if (v->duplicate)
+        snprintf(duplicate, sizeof duplicate, ", %d duplicate", v->duplicate);
+    if (v->merged)
+        snprintf(merged, sizeof merged, ", %d merged (wider than 4 tolerances)", v->merged);
+    char all[256];
+    snprintf(all, sizeof all, "%s%s%s%s", missed, extra, duplicate, merged);
+    note(reply, "%s %s %s: %s%s", c->id, REAL_NAME, a->algorithm, all + 2,
+         c->ambiguous ? " (ambiguous)" : "");
+}
+
+static void judge_answer(json_t *reply, const struct test_case *c, const struct problem *p,
+                         const struct answer *a, double tol, double reach)
+{
+    struct point_judgement points;
+    struct judgement v;
+    json_t *row;
+    if (reach > 0)
+        points = judge_points(c, p, a, reach);
+    v = reach > 0 ? points.found : judge(c, p, a, tol);
+    row = row_of(c, a, &v, tol);
+    if (reach > 0) {
+        json_object_set_new(row, "judged_by", json_string("points one to one"));
+        json_object_set_new(row, "points", json_integer(points.points));
+        if (points.overlap[0])
+            json_object_set_new(row, "overlap", json_string(points.overlap));
+    }
+    json_array_append_new(json_object_get(reply, "rows"), row);
+    if (v.verdict == WRONG)
+        note_failure(reply, c, a, &v);
+}
+
+/* ---- solving ---------------------------------------------------------------------------------------------
+ */
+
+static void run_algorithms(struct checker *k, const struct test_case *c, const struct problem *p, double tol,
+                           json_t *reply)
+{
+    fit_workspace(k, p->f.degree, p->g.degree);
+    for (int i = 0; i < k->options->algorithms.count; i++) {
+        const struct intersector *algorithm = k->options->algorithms.at[i];
+        struct answer a = {c->id, algorithm->name,        (real)tol,   INVALID,
+                           0,     algorithm->points_only, k->crossings};
+        a.outcome = guard_solve(p, algorithm, &k->workspace, k->crossings);
+        a.steps = k->workspace.steps;
+        judge_answer(reply, c, p, &a, tol, k->options->points);
+    }
+}
+
+static void run_external(struct checker *k, const struct test_case *c, const struct problem *p, double tol,
+                         json_t *reply)
+{
+    struct answer a = {c->id, NULL, (real)k->options->tolerance, INVALID, 0, false, k->crossings};
+    char *line = json_dumps(c->line, JSON_COMPACT);
+    const char *message = external_ask(&k->external, c->id, line ? line : "", &a);
+    free(line);
+    if (message)
+        note(reply, "%s %s %s: %s", c->id, REAL_NAME, k->external.name, message);
+    judge_answer(reply, c, p, &a, tol, k->options->points);
+}
+
+static void find_truth(const struct check_options *o, struct test_case *c, json_t *reply)
+{
+    enum { DIGITS = 50, SECONDS = 120 };
+    struct exact_limits limits = {DIGITS, SECONDS};
+    const char *why = o->truth == TRUTH_EXACT      ? exact_solve(c, &limits)
+                      : o->truth == TRUTH_KRAWCZYK ? referee_solve(c)
+                                                   : NULL;
+    if (!why)
+        return;
+    case_expected_clear(&c->expected);
+    note(reply, "%s: no truth: %s", c->id, why);
+}
+
+json_t *checker_run(struct checker *k, struct test_case *c)
+{
+    json_t *reply = json_pack("{s:[],s:[]}", "rows", "notes");
+    struct owned_problem owned;
+
+    find_truth(k->options, c, reply);
+    double tol = case_tolerance(c, k->options->tolerance);
+    double asked = REAL_BITS == 53 ? tol : k->options->tolerance;
+    const char *why_not = owned_problem_make(c, (real)asked, k->options->max_steps, &owned);
+    if (why_not) {
+        note(reply, "%s:%d: %s", c->file, c->line_number, why_not);
+        json_object_set_new(reply, "bad", json_true());
+        return reply;
+    }
+    run_algorithms(k, c, &owned.problem, tol, reply);
+    if (k->options->external)
+        run_external(k, c, &owned.problem, tol, reply);
+    owned_problem_clear(&owned);
+    return reply;
+}

@@ -1,0 +1,27 @@
+/* One case, solved by every algorithm asked for and judged.  Compiled for each precision. */
+#ifndef FATLINE_CHECK_CASE_H
+#define FATLINE_CHECK_CASE_H
+
+#include <jansson.h>
+
+#include "../cases/case.h"
+#include "check_options.h"
+#include "../run/external.h"
+
+struct checker {
+    const struct check_options *options;
+    struct workspace workspace;
+    int n, m; /* the workspace takes curves of these degrees; 0: there is none */
+    struct crossings *crossings;
+    struct external external;
+};
+
+/* NULL, or why the external program could not be started. */
+const char *checker_open(struct checker *k, const struct check_options *o);
+void checker_close(struct checker *k);
+
+/* {"rows":[...],"notes":[...]}; with "bad":true if the case is no problem in this precision.  The fields of a
+ * row: harness/check.c. */
+json_t *checker_run(struct checker *k, struct test_case *c);
+
+#endif

@@ -1,0 +1,22 @@
+/* The command line of `fatline region`. */
+#ifndef FATLINE_REGION_OPTIONS_H
+#define FATLINE_REGION_OPTIONS_H
+
+#include "../../algorithms/region.h"
+
+enum { REGION_METHODS_MAX = 16 };
+
+struct region_options {
+    const struct region_method *method[REGION_METHODS_MAX];
+    int count;
+    real tolerance;
+    int max_steps;
+    bool check, rows, all_points, keep_going;
+    char **files;
+    int file_count;
+};
+
+/* Ends the program with status 64 on wrong usage. */
+void region_options_read(int argc, char **argv, struct region_options *o);
+
+#endif
