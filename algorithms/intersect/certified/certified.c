@@ -12,6 +12,7 @@
  * Where rounding hides what is there, the place is cut again with twice the digits (zoom.c).  What is still
  * open when both parameters are as narrow as asked is a CANDIDATE.  Every pair that leaves the stack is
  * empty, or its solutions lie in records: so do all. */
+#include "front.h"
 #include "graphs.h"
 
 enum { FIRST_LOOK = 64 }; /* steps before overlaps are looked for */
@@ -69,7 +70,7 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->level_stride = level_length(n, m);
     z->level_numbers = at;
     z->levels = z->pairs = z->solved = 0;
-    z->next_look = FIRST_LOOK;
+    z->next_look = w->steps + FIRST_LOOK;
     z->suspicions = 0;
 }
 
@@ -116,8 +117,18 @@ static bool begin(struct solver *z)
     z->levels = 1;
     z->root_f = f;
     z->root_g = g;
-    pair_push(z, 0, f, g, 0);
     return true;
+}
+
+/* The whole problem, or what a front left of it. */
+static void push_rest(struct solver *z, const struct rest *rest)
+{
+    if (!rest) {
+        pair_push(z, 0, z->root_f, z->root_g, 0);
+    }
+    for (int i = 0; rest && i < rest->count; i++) {
+        pair_push_rectangle(z, &rest->at[i].t, &rest->at[i].s);
+    }
 }
 
 /* ---- one pair ---- */
@@ -267,13 +278,18 @@ static void step(struct solver *z)
     }
 }
 
-static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+static enum outcome solve(const struct problem *p, const struct rest *rest, struct workspace *w,
+                          struct crossings *out)
 {
     struct solver z;
+    if (rest && rest->count == 0) {
+        return SOLVED;
+    }
     solver_init(&z, p, w, out);
     if (!begin(&z)) {
         return SOLVED;
     }
+    push_rest(&z, rest);
     while (z.pairs > 0) {
         if (w->steps >= z.next_look) {
             look_for_overlaps(&z);
@@ -287,14 +303,43 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
     return z.outcome;
 }
 
+static enum outcome intersect_scalar(const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    return solve(p, NULL, w, out);
+}
+
+/* A front that refused the problem as it came may still take the prepared one. */
+static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    struct rest rest;
+    if (p->rest) {
+        return solve(p, p->rest, w, out);
+    }
+    return solve(p, front_of_prepared(p, w, out, &rest) ? &rest : NULL, w, out);
+}
+
+#define REFERENCE                                                                                            \
+    "here; cones of directions: Sederberg and Meyers, Loop detection in surface patch intersections, 1988"
+
 extern const struct intersector certified;
 const struct intersector certified = {
     .name = "certified",
     .summary = "every crossing proved by cross products, every contact resolved or owned up to",
-    .reference = "here; cones of directions: Sederberg and Meyers, Loop detection in surface patch "
-                 "intersections, 1988",
+    .reference = REFERENCE,
     .claimed = {0, 0, 0, 0},
     .intersect = intersect,
+    .scratch = scratch,
+    .points_only = false,
+    .front = front_of_certified,
+};
+
+extern const struct intersector certified_scalar;
+const struct intersector certified_scalar = {
+    .name = "certified_scalar",
+    .summary = "the same without kernels for particular processors",
+    .reference = REFERENCE,
+    .claimed = {0, 0, 0, 0},
+    .intersect = intersect_scalar,
     .scratch = scratch,
     .points_only = false,
 };

@@ -201,6 +201,8 @@ void record_add(struct solver *z, const struct crossing *c);
 void records_tidy(struct solver *z);
 /* Where there is no room, the pair becomes a record. */
 void pair_push(struct solver *z, int level, int f, int g, int rest);
+/* The nodes over t and s of level 0 as a pair, cut from the originals, if their octagons meet. */
+void pair_push_rectangle(struct solver *z, const struct interval *t, const struct interval *s);
 /* Pushes what of the pair lies in the region instead of it; OPEN: there is no memory. */
 enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct zero *x);
 /* Halves the arc that is farther from straight; accepts the pair if neither needs it. */

@@ -92,7 +92,7 @@ static bool near_end(const struct interval *a)
 /* Is the only zero within the nodes among the records already?  It is if some record lies within them. */
 static bool is_reported(const struct solver *z, const struct interval *t, const struct interval *s)
 {
-    for (int i = 0; z->solved > 0 && i < z->out->count; i++) {
+    for (int i = 0; i < z->out->count; i++) {
         const struct crossing *c = &z->out->at[i];
         if ((c->standing == UNIQUE || c->standing == END) && within(&c->t, t) && within(&c->s, s)) {
             return true;

@@ -92,23 +92,44 @@ static bool is_speck(const struct source *c, const struct node *a)
     return extent(a) <= 6 * c->node_error;
 }
 
-static int part_make(struct tree *tree, const struct source *c, const struct node *of, real x, real radius)
+/* A node over [lo, hi], apart from the tree; 0: no memory. */
+static int part_make(struct tree *tree, const struct source *c, real lo, real hi)
 {
     int k = node_new(tree);
     if (k) {
         struct node *part = &tree->node[k];
         part->way = part->points + (c->rational ? 3 : 2) * (c->n + 1);
-        node_cut(c, real_min(real_max(x - radius, of->lo), of->hi),
-                 real_max(real_min(x + radius, of->hi), of->lo), part);
+        node_cut(c, lo, hi, part);
     }
     return k;
+}
+
+static int part_around(struct tree *tree, const struct source *c, const struct node *of, real x, real radius)
+{
+    return part_make(tree, c, real_min(real_max(x - radius, of->lo), of->hi),
+                     real_max(real_min(x + radius, of->hi), of->lo));
+}
+
+void pair_push_rectangle(struct solver *z, const struct interval *t, const struct interval *s)
+{
+    const struct level *v = &z->level[0];
+    bool whole_t = t->lo == 0 && t->hi == 1, whole_s = s->lo == 0 && s->hi == 1;
+    int f = whole_t ? z->root_f : part_make(&z->f, &v->f, t->lo, t->hi);
+    int g = whole_s ? z->root_g : part_make(&z->g, &v->g, s->lo, s->hi);
+    if (!f || !g) { /* cannot be: REST_MAX parts and their siblings are fewer than NODES_MAX */
+        f = z->root_f;
+        g = z->root_g;
+    }
+    if (nodes_meet(&z->f.node[f], &z->g.node[g])) {
+        pair_push(z, 0, f, g, 0);
+    }
 }
 
 enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct zero *x)
 {
     const struct level *v = &z->level[at->level];
-    int f = part_make(&z->f, &v->f, &z->f.node[at->f], x->t, x->rt);
-    int g = part_make(&z->g, &v->g, &z->g.node[at->g], x->s, x->rs);
+    int f = part_around(&z->f, &v->f, &z->f.node[at->f], x->t, x->rt);
+    int g = part_around(&z->g, &v->g, &z->g.node[at->g], x->s, x->rs);
     if (!f || !g) {
         return OPEN;
     }
