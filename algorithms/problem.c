@@ -207,8 +207,10 @@ static bool prepare(const struct problem *p, real extent, int e, struct workspac
     return swapped;
 }
 
-static enum outcome solve_prepared(const struct problem *p, const struct rest *rest,
-                                   const struct intersector *a, struct workspace *w, struct crossings *out)
+/* Not in line: what a front settles is not to pay for it. */
+__attribute__((noinline)) static enum outcome solve_prepared(const struct problem *p, const struct rest *rest,
+                                                             const struct intersector *a, struct workspace *w,
+                                                             struct crossings *out)
 {
     real extent = 0;
     if (!(p->tolerance > 0) || !real_is_finite(p->tolerance) || p->max_steps <= 0 ||

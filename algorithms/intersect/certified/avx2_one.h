@@ -50,6 +50,13 @@ AVX2_INLINE void powers_make(const struct part *f, const struct part *g, double 
     out->slope_noise = _mm256_fmadd_pd(_mm256_set1_pd(160), size, _mm256_set1_pd(raised ? 20 * unit : 0));
 }
 
+/* In the domain. */
+AVX2_INLINE void powers_at(const struct powers *p, __m256d t, __m256d *value, __m256d *slope)
+{
+    *slope = _mm256_fmadd_pd(_mm256_fmadd_pd(p->d3, t, p->d2), t, p->c1);
+    *value = _mm256_fmadd_pd(_mm256_fmadd_pd(_mm256_fmadd_pd(p->c3, t, p->c2), t, p->c1), t, p->c0);
+}
+
 /* One pair of parts, and what bounds its zero. */
 struct arms {
     __m256d lo, hi;
@@ -85,7 +92,8 @@ AVX2_INLINE void newton_step(__m256d slope, __m256d r, struct newton *out)
     __m256d products = _mm256_mul_pd(slope, turned), moments = _mm256_mul_pd(r, turned);
     out->slope = slope;
     out->det = _mm256_hsub_pd(products, products);
-    out->by = _mm256_div_pd(_mm256_hsub_pd(moments, moments), out->det);
+    __m256d one_over = _mm256_div_pd(_mm256_set1_pd(1), out->det); /* while r is still being made */
+    out->by = _mm256_mul_pd(_mm256_hsub_pd(moments, moments), one_over);
 }
 
 /* Where the chords meet. */
@@ -137,12 +145,18 @@ AVX2_INLINE enum search solve_parts(const struct powers *p, const struct part *f
     arms_make(f, g, c, a);
     __m256d at = chords_meet(f, g, a);
     for (int k = 0; k < NEWTON_MAX; k++) {
-        __m256d in = _mm256_min_pd(_mm256_max_pd(at, a->lo), a->hi), past = _mm256_sub_pd(at, in);
-        __m256d value = _mm256_fmadd_pd(_mm256_fmadd_pd(p->c3, in, p->c2), in, p->c1),
-                slope = _mm256_fmadd_pd(_mm256_fmadd_pd(p->d3, in, p->d2), in, p->c1);
-        value = _mm256_fmadd_pd(past, slope, _mm256_fmadd_pd(value, in, p->c0));
+        __m256d noise = p->noise, value, slope;
+        __m256d beyond =
+            _mm256_or_pd(_mm256_cmp_pd(at, a->lo, _CMP_LT_OQ), _mm256_cmp_pd(at, a->hi, _CMP_GT_OQ));
+        if (_mm256_testz_pd(beyond, beyond)) {
+            powers_at(p, at, &value, &slope);
+        } else {
+            __m256d in = _mm256_min_pd(_mm256_max_pd(at, a->lo), a->hi), past = _mm256_sub_pd(at, in);
+            powers_at(p, in, &value, &slope);
+            value = _mm256_fmadd_pd(past, slope, value);
+            noise = _mm256_add_pd(both_halves(_mm256_mul_pd(absolute(past), p->slope_noise)), noise);
+        }
         __m256d r = _mm256_sub_pd(value, other_half(value));
-        __m256d noise = _mm256_add_pd(both_halves(_mm256_mul_pd(absolute(past), p->slope_noise)), p->noise);
         __m256d far = absolute(r);
         far = _mm256_max_pd(far, neighbours(far));
         __m256d reach = _mm256_mul_pd(a->reach, _mm256_add_pd(far, noise));

@@ -59,14 +59,29 @@ AVX2_INLINE __m256d octagon_pad(double unit)
     return _mm256_setr_pd(40 * unit, 40 * unit, 80 * unit, 80 * unit);
 }
 
+AVX2_INLINE __m256d least_of(const __m256d p[4])
+{
+    return _mm256_min_pd(_mm256_min_pd(p[0], p[1]), _mm256_min_pd(p[2], p[3]));
+}
+
+AVX2_INLINE __m256d most_of(const __m256d p[4])
+{
+    return _mm256_max_pd(_mm256_max_pd(p[0], p[1]), _mm256_max_pd(p[2], p[3]));
+}
+
+/* May arcs with these points meet?  pad: that of both; differences are rounded by less than it has to spare.
+ */
+AVX2_INLINE bool points_meet(const __m256d f[4], const __m256d g[4], __m256d pad)
+{
+    __m256d above = _mm256_sub_pd(least_of(g), most_of(f)), below = _mm256_sub_pd(least_of(f), most_of(g));
+    __m256d apart = _mm256_cmp_pd(_mm256_max_pd(above, below), pad, _CMP_GT_OQ);
+    return _mm256_testz_pd(apart, apart);
+}
+
 AVX2_INLINE void part_bound(struct part *a, __m256d pad)
 {
-    __m256d low =
-        _mm256_min_pd(_mm256_min_pd(a->point[0], a->point[1]), _mm256_min_pd(a->point[2], a->point[3]));
-    __m256d high =
-        _mm256_max_pd(_mm256_max_pd(a->point[0], a->point[1]), _mm256_max_pd(a->point[2], a->point[3]));
-    a->low = _mm256_sub_pd(low, pad);
-    a->high = _mm256_add_pd(high, pad);
+    a->low = _mm256_sub_pd(least_of(a->point), pad);
+    a->high = _mm256_add_pd(most_of(a->point), pad);
 }
 
 AVX2_INLINE bool parts_meet(const struct part *a, const struct part *b)

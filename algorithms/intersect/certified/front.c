@@ -2,12 +2,18 @@
 #include "../../crossings.h"
 #include "front.h"
 
+#ifdef FATLINE_AVX2
+/* libgcc asks the processor before main begins; this only reads what it found. */
+static bool has_avx2(void)
+{
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+}
+#endif
+
 bool front_run(struct front *z)
 {
 #ifdef FATLINE_AVX2
-    /* libgcc asks the processor before main begins; this only reads what it found */
-    if (z->f->degree <= 3 && z->g->degree <= 3 && __builtin_cpu_supports("avx2") &&
-        __builtin_cpu_supports("fma")) {
+    if (z->f->degree <= 3 && z->g->degree <= 3 && has_avx2()) {
         return front_cubic_avx2(z);
     }
 #endif
@@ -35,11 +41,6 @@ static bool comes_after(const struct curve *a, const struct curve *b)
     return false;
 }
 
-static bool is_plain(const struct curve *c)
-{
-    return !c->w && c->domain.lo == 0 && c->domain.hi == 1 && c->degree >= 1 && c->degree <= DEGREE_MAX;
-}
-
 static void finish(struct crossings *out, bool swapped)
 {
     for (int i = 0; swapped && i < out->count; i++) {
@@ -52,29 +53,47 @@ static void finish(struct crossings *out, bool swapped)
     }
 }
 
-enum front_answer front_of_certified(const struct problem *p, struct workspace *w, struct crossings *out,
-                                     struct rest *rest)
+bool front_open(struct front *z, const struct problem *p, struct crossings *out, struct rest *rest)
 {
     const real narrowest = 4 * REAL_EPSILON, widest = (real)1 / 16; /* as in problem.c */
-    if (!is_plain(&p->f) || !is_plain(&p->g) || !(p->tolerance > 0) || !real_is_finite(p->tolerance) ||
-        p->max_steps <= 0) {
-        return FRONT_REFUSED;
-    }
     bool swapped = !p->keep_order && comes_after(&p->f, &p->g);
-    real tolerance = real_min(widest, real_max(narrowest, p->tolerance));
-    struct front z = {
-        swapped ? &p->g : &p->f, swapped ? &p->f : &p->g, tolerance, tolerance, 0, p->max_steps, out, rest};
+    z->f = swapped ? &p->g : &p->f;
+    z->g = swapped ? &p->f : &p->g;
+    z->tolerance_t = z->tolerance_s = real_min(widest, real_max(narrowest, p->tolerance));
+    z->steps = 0;
+    z->max_steps = p->max_steps;
+    z->out = out;
+    z->rest = rest;
     rest->count = 0;
-    if (!front_run(&z)) {
-        return FRONT_REFUSED;
-    }
-    w->steps = z.steps;
-    if (rest->count > 0) {
+    return swapped;
+}
+
+enum front_answer front_close(const struct front *z, bool swapped, struct workspace *w)
+{
+    w->steps = z->steps;
+    if (z->rest->count > 0) {
         return FRONT_LEFT;
     }
     w->swapped = swapped;
-    finish(out, swapped);
+    finish(z->out, swapped);
     return FRONT_DONE;
+}
+
+enum front_answer front_of_certified(const struct problem *p, struct workspace *w, struct crossings *out,
+                                     struct rest *rest)
+{
+#ifdef FATLINE_AVX2
+    if (p->f.degree == 3 && p->g.degree == 3 && has_avx2()) {
+        return front_cubics_avx2(p, w, out, rest);
+    }
+#endif
+    struct front z;
+    if (!front_is_plain(p) || p->f.degree < 1 || p->g.degree < 1 || p->f.degree > DEGREE_MAX ||
+        p->g.degree > DEGREE_MAX) {
+        return FRONT_REFUSED;
+    }
+    bool swapped = front_open(&z, p, out, rest);
+    return front_run(&z) ? front_close(&z, swapped, w) : FRONT_REFUSED;
 }
 
 bool front_of_prepared(const struct problem *p, struct workspace *w, struct crossings *out, struct rest *rest)

@@ -13,6 +13,8 @@
 #ifndef FATLINE_CERTIFIED_FRONT_H
 #define FATLINE_CERTIFIED_FRONT_H
 
+#include <string.h>
+
 #include "../../bezier.h"
 
 /* What a kernel is given: two polynomial curves, in the order in which they are to be taken, whose domains
@@ -70,6 +72,25 @@ static inline bool front_zero(struct front *z, real t, real rt, real s, real rs)
     return true;
 }
 
+static inline bool curve_is_plain(const struct curve *c)
+{
+    static const struct interval whole = {0, 1};
+    return !c->w && !memcmp(&c->domain, &whole, sizeof whole);
+}
+
+/* Two polynomial curves over [0, 1], and a question that is one; nothing is known about their coordinates and
+ * degrees. */
+static inline bool front_is_plain(const struct problem *p)
+{
+    return curve_is_plain(&p->f) && curve_is_plain(&p->g) && p->tolerance > 0 && p->tolerance <= REAL_HUGE &&
+           p->max_steps > 0;
+}
+
+/* For a plain problem: *z, with the curves in the order of problem_solve; true: they are exchanged. */
+bool front_open(struct front *z, const struct problem *p, struct crossings *out, struct rest *rest);
+/* What a kernel has done, in the caller's order of the curves if that was all. */
+enum front_answer front_close(const struct front *z, bool swapped, struct workspace *w);
+
 /* The kernel for these degrees and this processor, if there is one; false: there is none, or it does not take
  * these numbers, and nothing has been done.  Degrees and domains are those of problems. */
 bool front_run(struct front *z);
@@ -86,6 +107,9 @@ bool front_of_prepared(const struct problem *p, struct workspace *w, struct cros
 #if defined(__x86_64__) && !defined(FATLINE_QUAD) && !defined(FATLINE_MULTI)
 #define FATLINE_AVX2 __attribute__((target("avx2,fma")))
 FATLINE_AVX2 bool front_cubic_avx2(struct front *z); /* degrees 1 to 3 */
+/* The front of `certified` for two cubics: pairs that are apart cost little more than reading them. */
+FATLINE_AVX2 enum front_answer front_cubics_avx2(const struct problem *p, struct workspace *w,
+                                                 struct crossings *out, struct rest *rest);
 #endif
 
 #endif
