@@ -26,10 +26,9 @@ struct part {
     double lo, width;    /* a dyadic interval: exact */
     double speed;        /* no exact difference is longer in the 1-norm */
     double bend;         /* no coordinate of an exact second difference is larger */
-    int child;           /* the first of two halves; 0: none yet */
+    struct part *child;  /* the first of two halves, the other is next to it; NULL: none yet */
     int depth;
     bool ready; /* differences, speed and bend are made */
-    bool wide;  /* some differences may point back along the chord */
 };
 
 /* The parts of one curve; [0] is the whole. */
@@ -91,15 +90,14 @@ AVX2_INLINE bool parts_meet(const struct part *a, const struct part *b)
     return _mm256_testz_pd(apart, apart);
 }
 
-/* The first half of part k, or 0 if there is no room, or no depth that E allows. */
-AVX2_INLINE int part_split(struct parts *c, int k, __m256d pad)
+/* The first half of a, or NULL if there is no room, or no depth that E allows. */
+AVX2_INLINE struct part *part_split(struct parts *c, struct part *a, __m256d pad)
 {
-    struct part *a = &c->part[k];
     if (a->child) {
         return a->child;
     }
     if (c->used + 2 > PARTS_MAX || a->depth == PART_DEPTH_MAX) {
-        return 0;
+        return NULL;
     }
     struct part *left = &c->part[c->used], *right = left + 1;
     const __m256d half = _mm256_set1_pd(0.5);
@@ -121,12 +119,12 @@ AVX2_INLINE int part_split(struct parts *c, int k, __m256d pad)
     left->lo = a->lo;
     left->width = right->width = a->width * 0.5;
     right->lo = a->lo + left->width;
-    left->child = right->child = 0;
+    left->child = right->child = NULL;
     left->depth = right->depth = a->depth + 1;
     left->ready = right->ready = false;
-    a->child = c->used;
+    a->child = left;
     c->used += 2;
-    return a->child;
+    return left;
 }
 
 /* A difference's coordinate errs by e = 2 E + 2 u S <= 77 u S, its sums by 4 E + 4 u S, so that the 1-norm
@@ -138,9 +136,8 @@ AVX2_INLINE void part_prepare(struct part *a, double unit)
     }
     a->ready = true;
     __m256d h0 = _mm256_sub_pd(a->point[1], a->point[0]), h1 = _mm256_sub_pd(a->point[2], a->point[1]),
-            h2 = _mm256_sub_pd(a->point[3], a->point[2]), chord = _mm256_sub_pd(a->point[3], a->point[0]);
-    __m128d d0 = _mm256_castpd256_pd128(h0), d1 = _mm256_castpd256_pd128(h1), d2 = _mm256_castpd256_pd128(h2),
-            e = _mm256_castpd256_pd128(chord);
+            h2 = _mm256_sub_pd(a->point[3], a->point[2]);
+    __m128d d0 = _mm256_castpd256_pd128(h0), d1 = _mm256_castpd256_pd128(h1), d2 = _mm256_castpd256_pd128(h2);
     __m256d x = _mm256_set_m128d(_mm_unpacklo_pd(d2, d2), _mm_unpacklo_pd(d0, d1));
     __m256d y = _mm256_set_m128d(_mm_unpackhi_pd(d2, d2), _mm_unpackhi_pd(d0, d1));
     _mm256_storeu_pd(a->ax, x);
@@ -150,9 +147,19 @@ AVX2_INLINE void part_prepare(struct part *a, double unit)
     __m128d longest = _mm256_extractf128_pd(size, 1), largest = _mm256_castpd256_pd128(turn);
     a->speed = _mm_cvtsd_f64(_mm_max_sd(longest, _mm_unpackhi_pd(longest, longest))) + 160 * unit;
     a->bend = _mm_cvtsd_f64(_mm_max_sd(largest, _mm_unpackhi_pd(largest, largest))) + 160 * unit;
-    __m256d along = _mm256_fmadd_pd(x, _mm256_broadcastsd_pd(e),
-                                    _mm256_mul_pd(y, _mm256_broadcastsd_pd(_mm_unpackhi_pd(e, e))));
-    a->wide = _mm256_movemask_pd(along) != 0;
+}
+
+/* Do all differences point forward along the chord, and turn little?  Decides nothing but what is tried. */
+AVX2_INLINE bool part_is_narrow(const struct part *a)
+{
+    if (3 * a->bend >= a->speed) {
+        return false;
+    }
+    __m128d chord = _mm256_castpd256_pd128(_mm256_sub_pd(a->point[3], a->point[0]));
+    __m256d across =
+        _mm256_mul_pd(_mm256_loadu_pd(a->ay), _mm256_broadcastsd_pd(_mm_unpackhi_pd(chord, chord)));
+    __m256d along = _mm256_fmadd_pd(_mm256_loadu_pd(a->ax), _mm256_broadcastsd_pd(chord), across);
+    return _mm256_movemask_pd(along) == 0;
 }
 
 AVX2_INLINE __m256d crosses(const struct part *f, int i, __m256d x, __m256d y)
@@ -181,25 +188,41 @@ AVX2_INLINE double parts_cross(const struct part *f, const struct part *g, doubl
     return _mm_cvtsd_f64(_mm_min_sd(h, _mm_unpackhi_pd(h, h))) - 104 * unit * (f->speed + g->speed);
 }
 
+/* The cross products of d with four points p - base; turned: (-d.y, d.x) twice.  Their order does not matter.
+ */
+AVX2_INLINE __m256d offsets(__m256d turned, __m256d base, const __m256d p[4])
+{
+    __m256d a = _mm256_sub_pd(_mm256_permute2f128_pd(p[0], p[1], 0x20), base);
+    __m256d b = _mm256_sub_pd(_mm256_permute2f128_pd(p[2], p[3], 0x20), base);
+    return _mm256_hadd_pd(_mm256_mul_pd(a, turned), _mm256_mul_pd(b, turned));
+}
+
+AVX2_INLINE double least_lane(__m256d a)
+{
+    __m128d h = _mm_min_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));
+    return _mm_cvtsd_f64(_mm_min_sd(h, _mm_unpackhi_pd(h, h)));
+}
+
+AVX2_INLINE double most_lane(__m256d a)
+{
+    __m128d h = _mm_max_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));
+    return _mm_cvtsd_f64(_mm_max_sd(h, _mm_unpackhi_pd(h, h)));
+}
+
 /* Are all points of b on one side of a's strip along its chord d?
  *
  * The direction d as computed is exact by definition.  cross(d, p - p0), p0 as computed, errs by E |d| of p,
- * by 2 u S |d| of the subtraction and 4 u S |d| of products and difference, |d| the 1-norm: two values by
- * less than 88 u S |d|. */
+ * by 2 u S |d| of the subtraction and 4 u S |d| of products and sum, |d| the 1-norm: two values by less than
+ * 88 u S |d|. */
 AVX2_INLINE bool strip_apart(const struct part *a, const struct part *b, double unit)
 {
-    __m256d base = a->point[0], chord = _mm256_sub_pd(a->point[3], base);
-    double dx = chord[0], dy = chord[1], own_lo = 0, own_hi = 0, lo = HUGE_VAL, hi = -HUGE_VAL;
-    for (int i = 0; i < 4; i++) {
-        __m256d p = _mm256_sub_pd(a->point[i], base), q = _mm256_sub_pd(b->point[i], base);
-        double mine = dx * p[1] - dy * p[0], its = dx * q[1] - dy * q[0];
-        own_lo = real_min(own_lo, mine);
-        own_hi = real_max(own_hi, mine);
-        lo = real_min(lo, its);
-        hi = real_max(hi, its);
-    }
-    double pad = 96 * unit * (fabs(dx) + fabs(dy));
-    return lo > own_hi + pad || hi < own_lo - pad;
+    const __m256d sign = _mm256_setr_pd(-0.0, 0.0, -0.0, 0.0);
+    __m256d base = _mm256_permute2f128_pd(a->point[0], a->point[0], 0),
+            end = _mm256_permute2f128_pd(a->point[3], a->point[3], 0);
+    __m256d chord = _mm256_sub_pd(end, base), turned = _mm256_xor_pd(neighbours(chord), sign);
+    __m256d own = offsets(turned, base, a->point), its = offsets(turned, base, b->point);
+    double pad = 96 * unit * (fabs(chord[0]) + fabs(chord[1]));
+    return least_lane(its) > most_lane(own) + pad || most_lane(its) < least_lane(own) - pad;
 }
 
 #endif

@@ -22,7 +22,7 @@ enum {
 };
 
 struct pair_of_parts {
-    short f, g;
+    struct part *f, *g;
 };
 
 /* Few arcs side by side still are when they are halved.  So such a pair is tried for some steps; if it is not
@@ -80,7 +80,8 @@ AVX2_INLINE void parts_init(struct parts *c, const __m256d point[4])
     c->used = 1;
     whole->lo = 0;
     whole->width = 1;
-    whole->child = whole->depth = 0;
+    whole->child = NULL;
+    whole->depth = 0;
     whole->ready = false;
     whole->point[0] = point[0];
     whole->point[1] = point[1];
@@ -162,7 +163,7 @@ AVX2_INLINE enum verdict settle(struct kernel *k, struct part *f, struct part *g
         enum search search = solve_parts(&k->powers, f, g, c, &arms, &at, &radius);
         return search == NO_ZERO || (search == ZERO && settle_zero(k, &arms, at, radius)) ? CLOSED : LEFT;
     }
-    if (!f->wide && !g->wide && 3 * f->bend < f->speed && 3 * g->bend < g->speed) {
+    if (part_is_narrow(f) && part_is_narrow(g)) {
         return strip_apart(f, g, k->unit) || strip_apart(g, f, k->unit) ? CLOSED : BESIDE;
     }
     return OPEN;
@@ -170,56 +171,66 @@ AVX2_INLINE enum verdict settle(struct kernel *k, struct part *f, struct part *g
 
 /* ---- the pairs that wait ---- */
 
-AVX2_INLINE void push(struct kernel *k, int f, int g)
+AVX2_INLINE void push(struct kernel *k, struct part *f, struct part *g)
 {
     struct pair_of_parts *top = &k->wait[k->waiting];
-    top->f = (short)f;
-    top->g = (short)g;
-    k->waiting += parts_meet(&k->f->part[f], &k->g->part[g]);
+    top->f = f;
+    top->g = g;
+    k->waiting += parts_meet(f, g);
 }
 
 /* Halves the arc that is farther from straight. */
-AVX2_INLINE enum verdict split(struct kernel *k, int f, int g)
+AVX2_INLINE enum verdict split(struct kernel *k, struct part *f, struct part *g)
 {
-    bool of_f = k->f->part[f].bend >= k->g->part[g].bend;
-    int half = of_f ? part_split(k->f, f, k->pad) : part_split(k->g, g, k->pad);
-    if (!half || k->waiting + 2 > WAITING_MAX) {
+    if (k->waiting + 2 > WAITING_MAX) {
         return LEFT;
     }
-    push(k, of_f ? half + 1 : f, of_f ? g : half + 1);
-    push(k, of_f ? half : f, of_f ? g : half);
+    if (f->bend >= g->bend) {
+        struct part *half = part_split(k->f, f, k->pad);
+        if (!half) {
+            return LEFT;
+        }
+        push(k, half + 1, g);
+        push(k, half, g);
+    } else {
+        struct part *half = part_split(k->g, g, k->pad);
+        if (!half) {
+            return LEFT;
+        }
+        push(k, f, half + 1);
+        push(k, f, half);
+    }
     return CLOSED;
 }
 
 /* The whole curve in 1, 2 or 4 neighbouring parts by how far it is from straight; part_split has room. */
-AVX2_INLINE int grid(struct parts *c, bool least_two, __m256d pad, int part[4])
+AVX2_INLINE int grid(struct parts *c, bool least_two, __m256d pad, struct part *part[4])
 {
-    const struct part *a = &c->part[0];
-    part[0] = 0;
+    struct part *a = &c->part[0];
+    part[0] = a;
     if (!least_two && 4 * a->bend <= a->speed) {
         return 1;
     }
-    int half = part_split(c, 0, pad);
+    struct part *half = part_split(c, a, pad);
     part[0] = half;
     part[1] = half + 1;
     if (1.5 * a->bend <= a->speed) {
         return 2;
     }
-    int first = part_split(c, half, pad), second = part_split(c, half + 1, pad);
-    part[0] = first;
-    part[1] = first + 1;
-    part[2] = second;
-    part[3] = second + 1;
+    part[0] = part_split(c, half, pad);
+    part[1] = part[0] + 1;
+    part[2] = part_split(c, half + 1, pad);
+    part[3] = part[2] + 1;
     return 4;
 }
 
 /* The first split: both curves at once, so that parts far from each other never wait. */
 FATLINE_AVX2 static void split_whole(struct kernel *k)
 {
-    int f[4], g[4];
-    part_bound(&k->f->part[0], k->pad);
-    part_bound(&k->g->part[0], k->pad);
-    bool larger_f = k->f->part[0].bend >= k->g->part[0].bend;
+    struct part *f[4], *g[4], *whole_f = &k->f->part[0], *whole_g = &k->g->part[0];
+    part_bound(whole_f, k->pad);
+    part_bound(whole_g, k->pad);
+    bool larger_f = whole_f->bend >= whole_g->bend;
     int n = grid(k->f, larger_f, k->pad, f), m = grid(k->g, !larger_f, k->pad, g);
     for (int i = n - 1; i >= 0; i--) {
         for (int j = m - 1; j >= 0; j--) {
@@ -261,7 +272,7 @@ AVX2_INLINE enum verdict step(struct kernel *k, struct pair_of_parts at)
         return LEFT;
     }
     k->z->steps++;
-    enum verdict verdict = settle(k, &k->f->part[at.f], &k->g->part[at.g]);
+    enum verdict verdict = settle(k, at.f, at.g);
     if (verdict == BESIDE && !k->trial.on && !trial_begin(k, at)) {
         return LEFT;
     }
@@ -278,7 +289,7 @@ FATLINE_AVX2 static void work(struct kernel *k)
         }
         if (step(k, at) == LEFT) {
             at = k->trial.on ? trial_fail(k) : at;
-            if (!leave(k, &k->f->part[at.f], &k->g->part[at.g])) {
+            if (!leave(k, at.f, at.g)) {
                 return;
             }
         }
@@ -286,12 +297,12 @@ FATLINE_AVX2 static void work(struct kernel *k)
 }
 
 /* The whole curves are made, and their octagons meet. */
-FATLINE_AVX2 __attribute__((noinline)) static void solve(struct kernel *k)
+AVX2_INLINE void solve(struct kernel *k, bool raised)
 {
     struct front *z = k->z;
     const int allowed = z->max_steps - z->steps;
     k->tolerance = halves(z->tolerance_t, z->tolerance_s);
-    k->raised = z->f->degree < 3 || z->g->degree < 3;
+    k->raised = raised;
     k->powered = k->trial.on = false;
     k->waiting = k->trial.failed = 0;
     k->last_step = z->steps + (allowed < STEPS_OF_KERNEL ? allowed : (int)STEPS_OF_KERNEL);
@@ -301,7 +312,7 @@ FATLINE_AVX2 __attribute__((noinline)) static void solve(struct kernel *k)
         leave(k, &k->f->part[0], &k->g->part[0]);
     } else if (verdict != CLOSED) {
         if (verdict == BESIDE) {
-            const struct pair_of_parts whole = {0, 0};
+            const struct pair_of_parts whole = {&k->f->part[0], &k->g->part[0]};
             trial_begin(k, whole);
         }
         split_whole(k);
@@ -335,13 +346,13 @@ FATLINE_AVX2 bool front_cubic_avx2(struct front *z)
         k.f = &k.first;
         k.g = &k.second;
         k.z = z;
-        solve(&k);
+        solve(&k, a->degree < 3 || b->degree < 3);
     }
     return true;
 }
 
 /* Not in line: pairs that are apart are not to pay for it. */
-__attribute__((noinline)) static enum front_answer
+FATLINE_AVX2 __attribute__((noinline)) static enum front_answer
 meet(struct kernel *k, const struct problem *p, struct workspace *w, struct crossings *out, struct rest *rest)
 {
     struct front z;
@@ -349,7 +360,7 @@ meet(struct kernel *k, const struct problem *p, struct workspace *w, struct cros
     k->f = swapped ? &k->second : &k->first;
     k->g = swapped ? &k->first : &k->second;
     k->z = &z;
-    solve(k);
+    solve(k, false);
     return front_close(&z, swapped, w);
 }
 
