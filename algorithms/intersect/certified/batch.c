@@ -141,6 +141,23 @@ static int records_keep(const struct batch_chunk *c)
     return kept;
 }
 
+static bool is_degree(const struct batch_curves *from, const int *index, int pair)
+{
+    int degree = from->degree ? from->degree[index ? index[pair] : pair] : (int)DEGREE;
+    return degree >= 1 && degree <= DEGREE;
+}
+
+/* Pairs of degrees that there are not. */
+static void mark_invalid(struct batch_chunk *c)
+{
+    const struct batch *b = c->batch;
+    for (int i = 0; i < c->count && (b->f.degree || b->g.degree); i++) {
+        c->alone[i] =
+            !is_degree(&b->f, b->f_index, c->first + i) || !is_degree(&b->g, b->g_index, c->first + i);
+        c->alone_count += c->alone[i];
+    }
+}
+
 /* The next `count` pairs.  false: no room; the answer is as it was. */
 static bool solve_chunk(struct batch_solver *z, const struct batch *b, enum batch_variant variant, int count,
                         struct batch_answer *out)
@@ -157,6 +174,7 @@ static bool solve_chunk(struct batch_solver *z, const struct batch *b, enum batc
     c->full = false;
     memset(c->alone, 0, (size_t)count);
     memset(out->outcome + out->done, SOLVED, (size_t)count);
+    mark_invalid(c);
     if (variant == BATCH_AVX512) {
         batch_chunk_avx512(c);
     } else {
