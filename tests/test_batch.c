@@ -31,7 +31,7 @@ static struct crossings crossings;
 
 struct table {
     int pairs;
-    real f[PAIRS * BATCH_NUMBERS], g[PAIRS * BATCH_NUMBERS];
+    real f[(int)PAIRS * BATCH_NUMBERS], g[(int)PAIRS * BATCH_NUMBERS];
     unsigned char degree_f[PAIRS], degree_g[PAIRS];
 };
 

@@ -75,7 +75,7 @@ static enum batch_variant choose(enum batch_variant asked)
 static void curve_of(const struct batch_curves *from, const int *index, int pair, struct curve *out)
 {
     ptrdiff_t i = index ? index[pair] : pair;
-    out->degree = from->degree ? from->degree[i] : DEGREE;
+    out->degree = from->degree ? from->degree[i] : (int)DEGREE;
     out->x = from->points + BATCH_NUMBERS * i;
     out->y = out->x + BATCH_NUMBERS / 2;
     out->w = NULL;

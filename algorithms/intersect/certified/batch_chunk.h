@@ -8,7 +8,7 @@ enum {
     CHUNK = 512,
     ITEMS = 4096,
     SOLVES = 512,
-    SLACK = 8,  /* numbers written beyond the end of a list, never read */
+    SLACK = 16, /* numbers beyond the end of a list */
     ROUNDS = 14 /* halvings beyond the first cut in four */
 };
 

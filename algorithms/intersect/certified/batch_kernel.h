@@ -26,7 +26,7 @@
  * differences times 3 or 6 err by 2 u, weights 3 u, sums 3 u, of at most 3 * 2 S: 48 u S; elevation 18 u S;
  * the product with the distance past the node and its sum 6 u S: 80 u S.
  *
- * Where S lies between 2^-250 and 2^250 nothing here overflows, and what underflows is below a multiple of u
+ * Where S lies between 2^-200 and 2^200 nothing here overflows, and what underflows is below a multiple of u
  * S that was added already. */
 #ifndef FATLINE_BATCH_KERNEL_H
 #define FATLINE_BATCH_KERNEL_H
@@ -69,55 +69,55 @@ LANES_INLINE void elevate(wide_mask line, wide_mask low, wide c[4])
     c[3] = last;
 }
 
-LANES_INLINE void load(const struct batch_curves *from, const int *index, const int *pair, struct arc *out)
+/* `number`: of pairs of the whole batch. */
+LANES_INLINE void load(const struct batch_curves *from, const int *index, const int *number, struct arc *out)
 {
     const double *row[LANES];
-    double degree[LANES];
-    wide number[8];
-    for (int i = 0; i < LANES; i++) {
-        row[i] = from->points + BATCH_NUMBERS * (ptrdiff_t)(index ? index[pair[i]] : pair[i]);
-    }
-    wide_transpose(row, number);
-    if (from->degree) {
+    int curve[LANES];
+    wide at[8];
+    if (index) {
         for (int i = 0; i < LANES; i++) {
-            degree[i] = from->degree[index ? index[pair[i]] : pair[i]];
+            curve[i] = index[number[i]];
+        }
+        number = curve;
+    }
+#pragma GCC unroll 8
+    for (int i = 0; i < LANES; i++) {
+        row[i] = from->points + BATCH_NUMBERS * (ptrdiff_t)number[i];
+    }
+    wide_transpose(row, at);
+    if (from->degree) {
+        double degree[LANES];
+        for (int i = 0; i < LANES; i++) {
+            degree[i] = from->degree[number[i]];
         }
         wide n = wide_load(degree);
         wide_mask line = wide_less(n, wide_of(1.5)), low = wide_less(n, wide_of(2.5));
-        elevate(line, low, number);
-        elevate(line, low, number + 4);
+        elevate(line, low, at);
+        elevate(line, low, at + 4);
     }
 #pragma GCC unroll 4
     for (int i = 0; i < 4; i++) {
-        out->x[i] = number[i];
-        out->y[i] = number[4 + i];
+        out->x[i] = at[i];
+        out->y[i] = at[4 + i];
     }
 }
 
 /* The pairs at[0..LANES-1] of the chunk. */
 LANES_INLINE void load_pairs(const struct batch_chunk *z, wide at, struct arc *f, struct arc *g)
 {
-    double number[LANES];
-    int pair[LANES];
-    wide_store(number, at + (double)z->first);
-    for (int i = 0; i < LANES; i++) {
-        pair[i] = (int)number[i];
-    }
-    load(&z->batch->f, z->batch->f_index, pair, f);
-    load(&z->batch->g, z->batch->g_index, pair, g);
+    int number[LANES];
+    wide_store_whole(number, at + (double)z->first);
+    load(&z->batch->f, z->batch->f_index, number, f);
+    load(&z->batch->g, z->batch->g_index, number, g);
 }
 
-/* LANES numbers of a list of `count`, its last again where there are no more. */
-LANES_INLINE wide list_load(const double *list, int at, int count)
+/* The last number of the list once more, so that LANES can be read from wherever there is one. */
+LANES_INLINE void list_pad(double *list, int count)
 {
-    double number[LANES];
-    if (at + LANES <= count) {
-        return wide_load(list + at);
+    for (int i = 0; i < SLACK && count > 0; i++) {
+        list[count + i] = list[count - 1];
     }
-    for (int i = 0; i < LANES; i++) {
-        number[i] = list[at + i < count ? at + i : count - 1];
-    }
-    return wide_load(number);
 }
 
 LANES_INLINE void leave_alone(struct batch_chunk *z, wide_mask which, wide at)

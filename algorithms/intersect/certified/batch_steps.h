@@ -11,20 +11,19 @@
 LANES_TARGET static void solve_waiting(struct batch_chunk *z, bool all)
 {
     struct batch_solves *q = &z->solves;
+    double *const list[] = {q->pair, q->f, q->g, q->t, q->s, q->reach_t, q->reach_s, q->bend_f, q->bend_g};
+    const int lists = sizeof list / sizeof *list;
     int first = 0;
-    for (; first + LANES <= q->count || (all && first < q->count); first += LANES) {
-        solve_lanes(z, q, first, q->count);
+    for (int k = 0; k < lists; k++) {
+        list_pad(list[k], q->count);
     }
-    for (int i = first; i < q->count; i++) {
-        q->pair[i - first] = q->pair[i];
-        q->f[i - first] = q->f[i];
-        q->g[i - first] = q->g[i];
-        q->t[i - first] = q->t[i];
-        q->s[i - first] = q->s[i];
-        q->reach_t[i - first] = q->reach_t[i];
-        q->reach_s[i - first] = q->reach_s[i];
-        q->bend_f[i - first] = q->bend_f[i];
-        q->bend_g[i - first] = q->bend_g[i];
+    for (; first + 2 * LANES <= q->count || (all && first < q->count); first += 2 * LANES) {
+        solve_lanes(z, q, first);
+    }
+    for (int k = 0; k < lists; k++) {
+        for (int i = first; i < q->count; i++) {
+            list[k][i - first] = list[k][i];
+        }
     }
     q->count = first < q->count ? q->count - first : 0;
 }
@@ -36,9 +35,10 @@ LANES_INLINE void push_solve(struct batch_chunk *z, wide_mask which, wide at, wi
     const double up = 1 + 8 * DBL_EPSILON;
     struct batch_solves *q = &z->solves;
     wide ux = f->x[3] - f->x[0], uy = f->y[3] - f->y[0], vx = g->x[3] - g->x[0], vy = g->y[3] - g->y[0];
-    wide rx = g->x[0] - f->x[0], ry = g->y[0] - f->y[0], one = 1.0 / cross(ux, uy, vx, vy);
-    wide width_f = code_width(code_f), width_g = code_width(code_g), k = up / (3.0 * c->gap);
-    wide times_f = 1.0 / width_f, times_g = 1.0 / width_g; /* powers of two */
+    wide rx = g->x[0] - f->x[0], ry = g->y[0] - f->y[0], det = cross(ux, uy, vx, vy), thrice = 3.0 * c->gap;
+    wide both = 1.0 / (det * thrice), one = both * thrice, k = both * det * up; /* k: 1 / thrice */
+    wide width_f = code_width(code_f), width_g = code_width(code_g);
+    wide times_f = code_times(code_f), times_g = code_times(code_g);
     int to = q->count;
     wide_store(q->pair + to, wide_pack(which, at));
     wide_store(q->f + to, wide_pack(which, code_f));
@@ -87,7 +87,7 @@ LANES_INLINE wide_mask odd_pairs(const struct arc *f, const struct arc *g, const
         wide most_g = wide_max(wide_abs(box_g->low[k]), wide_abs(box_g->high[k]));
         most = wide_max(most, wide_max(most_f, most_g));
     }
-    const double large = 0x1p250, small = 0x1p-250;
+    const double large = 0x1p200, small = 0x1p-200;
     *unit = most * (DBL_EPSILON / 2);
     return ~(wide_less(wide_abs((sum_x + sum_y) + (sum_a + sum_b)), wide_of(2 * LANES * large)) &
              wide_less(most, wide_of(large)) & wide_less(wide_of(small), most));
@@ -101,9 +101,14 @@ LANES_TARGET static void begin(struct batch_chunk *z)
         struct arc f, g;
         struct octagon box_f, box_g;
         struct cone c;
+        int number[LANES];
         wide unit, at = wide_min(wide_load(lane) + (double)first, wide_of(z->count - 1));
         wide_mask there = wide_first(z->count - first);
-        load_pairs(z, at, &f, &g);
+        for (int i = 0; i < LANES; i++) {
+            number[i] = z->first + (first + i < z->count ? first + i : z->count - 1);
+        }
+        load(&z->batch->f, z->batch->f_index, number, &f);
+        load(&z->batch->g, z->batch->g_index, number, &g);
         octagon_box(&f, &box_f);
         octagon_box(&g, &box_g);
         wide_mask odd = there & odd_pairs(&f, &g, &box_f, &box_g, &unit);
@@ -147,20 +152,26 @@ LANES_INLINE void quarters(const struct arc *c, struct octagon out[4])
 
 LANES_TARGET static void cut_in_four(struct batch_chunk *z, struct batch_items *to)
 {
+    list_pad(z->crossed_pair, z->crossed);
     for (int first = 0; first < z->crossed; first += LANES) {
         struct arc f, g;
         struct octagon part_f[4], part_g[4];
-        wide at = list_load(z->crossed_pair, first, z->crossed), unit = wide_gather(z->unit, at);
+        wide at = wide_load(z->crossed_pair + first), unit = wide_gather(z->unit, at);
         wide_mask there = wide_first(z->crossed - first);
         load_pairs(z, at, &f, &g);
+        if (to->count > ITEMS - 16 * LANES) {
+            leave_alone(z, there, at);
+            continue;
+        }
         quarters(&f, part_f);
         quarters(&g, part_g);
         for (int i = 0; i < 4; i++) {
             for (int j = 0; j < 4; j++) {
                 wide_mask meet = there & ~octagons_apart(&part_f[i], &part_g[j], unit);
-                if (wide_bits(meet)) {
-                    push_item(z, to, meet, at, wide_of(4 + i), wide_of(4 + j));
-                }
+                wide_store(to->pair + to->count, wide_pack(meet, at));
+                wide_store(to->f + to->count, wide_of(4 + i));
+                wide_store(to->g + to->count, wide_of(4 + j));
+                to->count += __builtin_popcount(wide_bits(meet));
             }
         }
     }
@@ -199,14 +210,16 @@ LANES_INLINE void push_halves(struct batch_chunk *z, struct batch_items *to, wid
     }
 }
 
-LANES_TARGET static void settle_items(struct batch_chunk *z, const struct batch_items *from,
-                                      struct batch_items *to)
+LANES_TARGET static void settle_items(struct batch_chunk *z, struct batch_items *from, struct batch_items *to)
 {
+    list_pad(from->pair, from->count);
+    list_pad(from->f, from->count);
+    list_pad(from->g, from->count);
     for (int first = 0; first < from->count; first += LANES) {
         struct arc f, g, part_f, part_g;
         struct cone c;
-        wide at = list_load(from->pair, first, from->count), unit = wide_gather(z->unit, at);
-        wide code_f = list_load(from->f, first, from->count), code_g = list_load(from->g, first, from->count);
+        wide at = wide_load(from->pair + first), unit = wide_gather(z->unit, at);
+        wide code_f = wide_load(from->f + first), code_g = wide_load(from->g + first);
         wide_mask there = wide_first(from->count - first);
         load_pairs(z, at, &f, &g);
         cut(&f, code_start(code_f), code_width(code_f), &part_f);

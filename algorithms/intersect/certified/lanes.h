@@ -76,16 +76,35 @@ LANES_INLINE unsigned wide_bits(wide_mask m)
 }
 LANES_INLINE wide_mask wide_first(int count)
 {
-    return count >= LANES ? 0xffu : (1u << count) - 1;
+    return count >= LANES ? 0xffu : count > 0 ? (1u << count) - 1 : 0;
 }
 /* The lanes of m, one after the other; the rest is anything. */
 LANES_INLINE wide wide_pack(wide_mask m, wide a)
 {
     return _mm512_maskz_compress_pd((__mmask8)m, a);
 }
+/* 1 / a to some 14 bits, or better. */
+LANES_INLINE wide wide_inverse_about(wide a)
+{
+    return _mm512_rcp14_pd(a);
+}
+/* Lanes 0 2 4 .. and 1 3 5 .. of a and b, in turn. */
+LANES_INLINE wide wide_evens(wide a, wide b)
+{
+    return _mm512_unpacklo_pd(a, b);
+}
+LANES_INLINE wide wide_odds(wide a, wide b)
+{
+    return _mm512_unpackhi_pd(a, b);
+}
 LANES_INLINE wide wide_gather(const double *base, wide index)
 {
     return _mm512_i32gather_pd(_mm512_cvttpd_epi32(index), base, 8);
+}
+
+LANES_INLINE void wide_store_whole(int *to, wide a)
+{
+    _mm256_storeu_si256((__m256i *)(void *)to, _mm512_cvttpd_epi32(a));
 }
 
 /* out[i] has number i of each row. */
@@ -181,9 +200,26 @@ LANES_INLINE wide wide_pack(wide_mask m, wide a)
     __m256i halves = _mm256_or_si256(low, _mm256_slli_epi64(high, 32));
     return _mm256_castsi256_pd(_mm256_permutevar8x32_epi32(_mm256_castpd_si256(a), halves));
 }
+LANES_INLINE wide wide_inverse_about(wide a)
+{
+    return 1.0 / a;
+}
+LANES_INLINE wide wide_evens(wide a, wide b)
+{
+    return _mm256_unpacklo_pd(a, b);
+}
+LANES_INLINE wide wide_odds(wide a, wide b)
+{
+    return _mm256_unpackhi_pd(a, b);
+}
 LANES_INLINE wide wide_gather(const double *base, wide index)
 {
     return _mm256_i32gather_pd(base, _mm256_cvttpd_epi32(index), 8);
+}
+
+LANES_INLINE void wide_store_whole(int *to, wide a)
+{
+    _mm_storeu_si128((__m128i *)(void *)to, _mm256_cvttpd_epi32(a));
 }
 
 LANES_INLINE void transpose_four(const double *const row[LANES], int from, wide out[4])
@@ -206,7 +242,15 @@ LANES_INLINE void wide_transpose(const double *const row[LANES], wide out[8])
 
 #endif
 
-/* Of 2^d (1 + a), 0 <= a < 1, d >= 0: a and 2^-d, exactly. */
+/* Of 2^d (1 + a), 0 <= a < 1, d >= 0: a, 2^d and 2^-d, exactly. */
+LANES_INLINE wide code_times(wide code)
+{
+#if LANES == 8
+    return _mm512_and_pd(code, _mm512_castsi512_pd(_mm512_set1_epi64(0x7ff0000000000000LL)));
+#else
+    return _mm256_and_pd(code, _mm256_castsi256_pd(_mm256_set1_epi64x(0x7ff0000000000000LL)));
+#endif
+}
 LANES_INLINE wide code_start(wide code)
 {
 #if LANES == 8
