@@ -44,6 +44,9 @@ static void solver_init(struct batch_solver *z, void *memory)
     z->crossings = (struct crossings *)(void *)at;
     at += rounded(sizeof(struct crossings));
     z->chunk = (struct batch_chunk *)(void *)at;
+    for (int i = 0; i < CHUNK + SLACK; i++) {
+        z->chunk->all[i] = i;
+    }
 }
 
 /* ---- which variant ---- */
@@ -171,6 +174,9 @@ static bool solve_chunk(struct batch_solver *z, const struct batch *b, enum batc
     c->record = out->record + out->records;
     c->room = out->record_room - out->records;
     c->records = c->alone_count = 0;
+    for (int i = 0; i < SLACK; i++) {
+        c->all[count + i] = count - 1;
+    }
     c->full = false;
     memset(c->alone, 0, (size_t)count);
     memset(out->outcome + out->done, SOLVED, (size_t)count);
@@ -179,6 +185,9 @@ static bool solve_chunk(struct batch_solver *z, const struct batch *b, enum batc
         batch_chunk_avx512(c);
     } else {
         batch_chunk_avx2(c);
+    }
+    for (int i = 0; i < SLACK; i++) {
+        c->all[count + i] = count + i;
     }
     out->records += c->alone_count ? records_keep(c) : c->records;
     bool good = !c->full;

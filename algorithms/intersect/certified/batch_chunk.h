@@ -13,17 +13,19 @@ enum {
 };
 
 /* Pairs of nodes that may meet.  Pairs are numbered from the chunk's first.  Node 1 is the whole curve, the
- * halves of node k are 2k and 2k + 1: so node 2^d (1 + a) begins at a and is 2^-d long.  All as doubles. */
+ * halves of node k are 2k and 2k + 1: so node 2^d (1 + a) begins at a and is 2^-d long. */
 struct batch_items {
     int count;
-    double pair[ITEMS + SLACK], f[ITEMS + SLACK], g[ITEMS + SLACK];
+    int pair[ITEMS + SLACK];
+    double f[ITEMS + SLACK], g[ITEMS + SLACK];
 };
 
 /* Nodes whose directions all cross the same way: the start of Newton's method, and what cone.c proves of
  * them: reach and bend as in solve_one.c. */
 struct batch_solves {
     int count;
-    double pair[SOLVES + SLACK], f[SOLVES + SLACK], g[SOLVES + SLACK];
+    int pair[SOLVES + SLACK];
+    double f[SOLVES + SLACK], g[SOLVES + SLACK];
     double t[SOLVES + SLACK], s[SOLVES + SLACK];
     double reach_t[SOLVES + SLACK], reach_s[SOLVES + SLACK];
     double bend_f[SOLVES + SLACK], bend_g[SOLVES + SLACK];
@@ -39,8 +41,9 @@ struct batch_chunk {
     unsigned char alone[CHUNK]; /* to be solved by itself, whatever was found; its records say nothing */
     int alone_count;
     double unit[CHUNK + SLACK]; /* (REAL_EPSILON / 2) times the largest |coordinate| of a pair */
+    int all[CHUNK + SLACK];     /* 0 to count - 1, and the last again */
     int crossed;                /* pairs to be cut in four */
-    double crossed_pair[CHUNK + SLACK];
+    int crossed_pair[CHUNK + SLACK];
     struct batch_items items[2];
     struct batch_solves solves;
 };

@@ -69,51 +69,92 @@ LANES_INLINE void elevate(wide_mask line, wide_mask low, wide c[4])
     c[3] = last;
 }
 
-/* `number`: of pairs of the whole batch. */
-LANES_INLINE void load(const struct batch_curves *from, const int *index, const int *number, struct arc *out)
+/* The curves of the pairs first + pair[0..LANES-1]. */
+LANES_INLINE void find_rows(const struct batch_curves *from, const int *index, int first, const int *pair,
+                            const double *row[LANES])
 {
-    const double *row[LANES];
-    int curve[LANES];
-    wide at[8];
+    const double *points = from->points + (index ? 0 : BATCH_NUMBERS * (ptrdiff_t)first);
     if (index) {
-        for (int i = 0; i < LANES; i++) {
-            curve[i] = index[number[i]];
-        }
-        number = curve;
-    }
+        index += first;
 #pragma GCC unroll 8
-    for (int i = 0; i < LANES; i++) {
-        row[i] = from->points + BATCH_NUMBERS * (ptrdiff_t)number[i];
-    }
-    wide_transpose(row, at);
-    if (from->degree) {
-        double degree[LANES];
         for (int i = 0; i < LANES; i++) {
-            degree[i] = from->degree[number[i]];
+            row[i] = points + BATCH_NUMBERS * (ptrdiff_t)index[pair[i]];
         }
-        wide n = wide_load(degree);
-        wide_mask line = wide_less(n, wide_of(1.5)), low = wide_less(n, wide_of(2.5));
-        elevate(line, low, at);
-        elevate(line, low, at + 4);
-    }
-#pragma GCC unroll 4
-    for (int i = 0; i < 4; i++) {
-        out->x[i] = at[i];
-        out->y[i] = at[4 + i];
+    } else {
+#pragma GCC unroll 8
+        for (int i = 0; i < LANES; i++) {
+            row[i] = points + BATCH_NUMBERS * (ptrdiff_t)pair[i];
+        }
     }
 }
 
-/* The pairs at[0..LANES-1] of the chunk. */
-LANES_INLINE void load_pairs(const struct batch_chunk *z, wide at, struct arc *f, struct arc *g)
+LANES_INLINE void arc_of(const double *const row[LANES], struct arc *out)
 {
-    int number[LANES];
-    wide_store_whole(number, at + (double)z->first);
-    load(&z->batch->f, z->batch->f_index, number, f);
-    load(&z->batch->g, z->batch->g_index, number, g);
+    wide number[8];
+    wide_transpose(row, number);
+#pragma GCC unroll 4
+    for (int i = 0; i < 4; i++) {
+        out->x[i] = number[i];
+        out->y[i] = number[4 + i];
+    }
+}
+
+LANES_INLINE void elevate_arc(const double degree[LANES], struct arc *a)
+{
+    wide n = wide_load(degree);
+    wide_mask line = wide_less(n, wide_of(1.5)), low = wide_less(n, wide_of(2.5));
+    elevate(line, low, a->x);
+    elevate(line, low, a->y);
+}
+
+LANES_INLINE void load(const struct batch_curves *from, const int *index, int first, const int *pair,
+                       struct arc *out)
+{
+    const double *row[LANES];
+    double degree[LANES];
+    find_rows(from, index, first, pair, row);
+    arc_of(row, out);
+    if (from->degree) {
+        for (int i = 0; i < LANES; i++) {
+            degree[i] = from->degree[index ? index[first + pair[i]] : first + pair[i]];
+        }
+        elevate_arc(degree, out);
+    }
+}
+
+/* Curves that follow each other. */
+LANES_INLINE void load_next(const struct batch_curves *from, ptrdiff_t first, struct arc *out)
+{
+    const double *row[LANES], *points = from->points + BATCH_NUMBERS * first;
+    double degree[LANES];
+#pragma GCC unroll 8
+    for (int i = 0; i < LANES; i++) {
+        row[i] = points + BATCH_NUMBERS * i;
+    }
+    arc_of(row, out);
+    if (from->degree) {
+        for (int i = 0; i < LANES; i++) {
+            degree[i] = from->degree[first + i];
+        }
+        elevate_arc(degree, out);
+    }
+}
+
+LANES_INLINE void load_pairs(const struct batch_chunk *z, const int *pair, struct arc *f, struct arc *g)
+{
+    load(&z->batch->f, z->batch->f_index, z->first, pair, f);
+    load(&z->batch->g, z->batch->g_index, z->first, pair, g);
 }
 
 /* The last number of the list once more, so that LANES can be read from wherever there is one. */
 LANES_INLINE void list_pad(double *list, int count)
+{
+    for (int i = 0; i < SLACK && count > 0; i++) {
+        list[count + i] = list[count - 1];
+    }
+}
+
+LANES_INLINE void list_pad_whole(int *list, int count)
 {
     for (int i = 0; i < SLACK && count > 0; i++) {
         list[count + i] = list[count - 1];

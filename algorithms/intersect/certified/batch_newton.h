@@ -37,7 +37,8 @@ LANES_INLINE void side_component(const wide c[4], wide value[4], wide slope[3])
 
 /* LANES zeros that are looked for. */
 struct hunt {
-    wide at, unit, t, s;
+    const int *pair;
+    wide unit, t, s;
     wide_mask active; /* may have a zero in their nodes */
     struct arc arc[2];
     struct side f, g;
@@ -47,12 +48,12 @@ LANES_INLINE void hunt_init(const struct batch_chunk *z, const struct batch_solv
                             struct hunt *h)
 {
     wide code_f = wide_load(q->f + first), code_g = wide_load(q->g + first);
-    h->at = wide_load(q->pair + first);
-    h->unit = wide_gather(z->unit, h->at);
+    h->pair = q->pair + first;
+    h->unit = wide_gather(z->unit, wide_load_whole(h->pair));
     h->t = wide_load(q->t + first);
     h->s = wide_load(q->s + first);
     h->active = wide_first(q->count - first);
-    load_pairs(z, h->at, &h->arc[0], &h->arc[1]);
+    load_pairs(z, h->pair, &h->arc[0], &h->arc[1]);
     h->f.lo = code_start(code_f);
     h->f.hi = h->f.lo + code_width(code_f);
     h->f.reach = wide_load(q->reach_t + first);
@@ -216,14 +217,12 @@ LANES_INLINE wide_mask well_inside(const struct side *a, wide t, wide radius)
 }
 
 /* Writes LANES records, of which those in `which` count: there is room for all. */
-LANES_INLINE void write_records(struct batch_chunk *z, wide_mask which, wide at, wide t, wide s, wide rt,
-                                wide rs)
+LANES_INLINE void write_records(struct batch_chunk *z, wide_mask which, const int *pair, wide t, wide s,
+                                wide rt, wide rs)
 {
-    int pair[LANES];
     double t_ends[2 * LANES], s_ends[2 * LANES]; /* lanes 0 2 4 .., then 1 3 5 .. */
     struct batch_record *to = z->record + z->records;
     unsigned bits = wide_bits(which);
-    wide_store_whole(pair, at + (double)z->first);
     wide_store(t_ends, wide_evens(t - rt, t + rt));
     wide_store(t_ends + LANES, wide_odds(t - rt, t + rt));
     wide_store(s_ends, wide_evens(s - rs, s + rs));
@@ -232,7 +231,8 @@ LANES_INLINE void write_records(struct batch_chunk *z, wide_mask which, wide at,
     for (int i = 0; i < LANES; i++) {
         int from = i % 2 * LANES + i / 2 * 2;
         struct batch_record r = {
-            {{t_ends[from], t_ends[from + 1]}, {s_ends[from], s_ends[from + 1]}, UNIQUE, 1, 1}, pair[i]};
+            {{t_ends[from], t_ends[from + 1]}, {s_ends[from], s_ends[from + 1]}, UNIQUE, 1, 1},
+            z->first + pair[i]};
         *to = r;
         to += bits >> i & 1;
     }
@@ -261,12 +261,12 @@ LANES_INLINE void prove(struct batch_chunk *z, struct hunt *h)
     wide_mask good = active & ended & well_inside(f, h->t, rt) & well_inside(g, h->s, rs) &
                      wide_less(rt, widest) & wide_less(rs, widest);
     if (wide_bits(active & ~good)) {
-        leave_alone(z, active & ~good, h->at);
+        leave_alone(z, active & ~good, wide_load_whole(h->pair));
     }
     if (z->records + LANES > z->room) {
         z->full = true;
     } else {
-        write_records(z, good, h->at, h->t, h->s, rt, rs);
+        write_records(z, good, h->pair, h->t, h->s, rt, rs);
     }
 }
 

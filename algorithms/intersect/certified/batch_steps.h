@@ -11,14 +11,18 @@
 LANES_TARGET static void solve_waiting(struct batch_chunk *z, bool all)
 {
     struct batch_solves *q = &z->solves;
-    double *const list[] = {q->pair, q->f, q->g, q->t, q->s, q->reach_t, q->reach_s, q->bend_f, q->bend_g};
+    double *const list[] = {q->f, q->g, q->t, q->s, q->reach_t, q->reach_s, q->bend_f, q->bend_g};
     const int lists = sizeof list / sizeof *list;
     int first = 0;
+    list_pad_whole(q->pair, q->count);
     for (int k = 0; k < lists; k++) {
         list_pad(list[k], q->count);
     }
     for (; first + 2 * LANES <= q->count || (all && first < q->count); first += 2 * LANES) {
         solve_lanes(z, q, first);
+    }
+    for (int i = first; i < q->count; i++) {
+        q->pair[i - first] = q->pair[i];
     }
     for (int k = 0; k < lists; k++) {
         for (int i = first; i < q->count; i++) {
@@ -40,7 +44,7 @@ LANES_INLINE void push_solve(struct batch_chunk *z, wide_mask which, wide at, wi
     wide width_f = code_width(code_f), width_g = code_width(code_g);
     wide times_f = code_times(code_f), times_g = code_times(code_g);
     int to = q->count;
-    wide_store(q->pair + to, wide_pack(which, at));
+    wide_store_whole(q->pair + to, wide_pack(which, at));
     wide_store(q->f + to, wide_pack(which, code_f));
     wide_store(q->g + to, wide_pack(which, code_g));
     wide_store(q->t + to,
@@ -65,7 +69,7 @@ LANES_INLINE void push_item(struct batch_chunk *z, struct batch_items *to, wide_
         leave_alone(z, which, at);
         return;
     }
-    wide_store(to->pair + count, wide_pack(which, at));
+    wide_store_whole(to->pair + count, wide_pack(which, at));
     wide_store(to->f + count, wide_pack(which, code_f));
     wide_store(to->g + count, wide_pack(which, code_g));
     to->count = count + __builtin_popcount(wide_bits(which));
@@ -93,22 +97,28 @@ LANES_INLINE wide_mask odd_pairs(const struct arc *f, const struct arc *g, const
              wide_less(most, wide_of(large)) & wide_less(wide_of(small), most));
 }
 
+/* The pairs from `first` on. */
+LANES_INLINE void load_first(const struct batch_chunk *z, int first, struct arc *f, struct arc *g)
+{
+    const struct batch *b = z->batch;
+    if (first + LANES <= z->count && !b->f_index && !b->g_index) {
+        load_next(&b->f, z->first + first, f);
+        load_next(&b->g, z->first + first, g);
+    } else {
+        load_pairs(z, z->all + first, f, g);
+    }
+}
+
 LANES_TARGET static void begin(struct batch_chunk *z)
 {
-    const double lane[8] = {0, 1, 2, 3, 4, 5, 6, 7};
     const wide root = wide_of(1);
     for (int first = 0; first < z->count; first += LANES) {
         struct arc f, g;
         struct octagon box_f, box_g;
         struct cone c;
-        int number[LANES];
-        wide unit, at = wide_min(wide_load(lane) + (double)first, wide_of(z->count - 1));
+        wide unit, at = wide_load_whole(z->all + first);
         wide_mask there = wide_first(z->count - first);
-        for (int i = 0; i < LANES; i++) {
-            number[i] = z->first + (first + i < z->count ? first + i : z->count - 1);
-        }
-        load(&z->batch->f, z->batch->f_index, number, &f);
-        load(&z->batch->g, z->batch->g_index, number, &g);
+        load_first(z, first, &f, &g);
         octagon_box(&f, &box_f);
         octagon_box(&g, &box_g);
         wide_mask odd = there & odd_pairs(&f, &g, &box_f, &box_g, &unit);
@@ -131,7 +141,7 @@ LANES_TARGET static void begin(struct batch_chunk *z)
         if (wide_bits(single)) {
             push_solve(z, single, at, root, root, &f, &g, &c);
         }
-        wide_store(z->crossed_pair + z->crossed, wide_pack(rest, at));
+        wide_store_whole(z->crossed_pair + z->crossed, wide_pack(rest, at));
         z->crossed += __builtin_popcount(wide_bits(rest));
     }
 }
@@ -152,13 +162,13 @@ LANES_INLINE void quarters(const struct arc *c, struct octagon out[4])
 
 LANES_TARGET static void cut_in_four(struct batch_chunk *z, struct batch_items *to)
 {
-    list_pad(z->crossed_pair, z->crossed);
+    list_pad_whole(z->crossed_pair, z->crossed);
     for (int first = 0; first < z->crossed; first += LANES) {
         struct arc f, g;
         struct octagon part_f[4], part_g[4];
-        wide at = wide_load(z->crossed_pair + first), unit = wide_gather(z->unit, at);
+        wide at = wide_load_whole(z->crossed_pair + first), unit = wide_gather(z->unit, at);
         wide_mask there = wide_first(z->crossed - first);
-        load_pairs(z, at, &f, &g);
+        load_pairs(z, z->crossed_pair + first, &f, &g);
         if (to->count > ITEMS - 16 * LANES) {
             leave_alone(z, there, at);
             continue;
@@ -168,7 +178,7 @@ LANES_TARGET static void cut_in_four(struct batch_chunk *z, struct batch_items *
         for (int i = 0; i < 4; i++) {
             for (int j = 0; j < 4; j++) {
                 wide_mask meet = there & ~octagons_apart(&part_f[i], &part_g[j], unit);
-                wide_store(to->pair + to->count, wide_pack(meet, at));
+                wide_store_whole(to->pair + to->count, wide_pack(meet, at));
                 wide_store(to->f + to->count, wide_of(4 + i));
                 wide_store(to->g + to->count, wide_of(4 + j));
                 to->count += __builtin_popcount(wide_bits(meet));
@@ -212,16 +222,16 @@ LANES_INLINE void push_halves(struct batch_chunk *z, struct batch_items *to, wid
 
 LANES_TARGET static void settle_items(struct batch_chunk *z, struct batch_items *from, struct batch_items *to)
 {
-    list_pad(from->pair, from->count);
+    list_pad_whole(from->pair, from->count);
     list_pad(from->f, from->count);
     list_pad(from->g, from->count);
     for (int first = 0; first < from->count; first += LANES) {
         struct arc f, g, part_f, part_g;
         struct cone c;
-        wide at = wide_load(from->pair + first), unit = wide_gather(z->unit, at);
+        wide at = wide_load_whole(from->pair + first), unit = wide_gather(z->unit, at);
         wide code_f = wide_load(from->f + first), code_g = wide_load(from->g + first);
         wide_mask there = wide_first(from->count - first);
-        load_pairs(z, at, &f, &g);
+        load_pairs(z, from->pair + first, &f, &g);
         cut(&f, code_start(code_f), code_width(code_f), &part_f);
         cut(&g, code_start(code_g), code_width(code_g), &part_g);
         cone_of(&part_f, &part_g, unit, &c);

@@ -102,6 +102,10 @@ LANES_INLINE wide wide_gather(const double *base, wide index)
     return _mm512_i32gather_pd(_mm512_cvttpd_epi32(index), base, 8);
 }
 
+LANES_INLINE wide wide_load_whole(const int *a)
+{
+    return _mm512_cvtepi32_pd(_mm256_loadu_si256((const __m256i *)(const void *)a));
+}
 LANES_INLINE void wide_store_whole(int *to, wide a)
 {
     _mm256_storeu_si256((__m256i *)(void *)to, _mm512_cvttpd_epi32(a));
@@ -217,6 +221,10 @@ LANES_INLINE wide wide_gather(const double *base, wide index)
     return _mm256_i32gather_pd(base, _mm256_cvttpd_epi32(index), 8);
 }
 
+LANES_INLINE wide wide_load_whole(const int *a)
+{
+    return _mm256_cvtepi32_pd(_mm_loadu_si128((const __m128i *)(const void *)a));
+}
 LANES_INLINE void wide_store_whole(int *to, wide a)
 {
     _mm_storeu_si128((__m128i *)(void *)to, _mm256_cvttpd_epi32(a));
