@@ -27,6 +27,11 @@ real envelope_distance(struct region_work *k, const struct region_edge *edge, co
 int envelope_feet(struct region_work *k, const struct region_edge *edge, const struct envelope *a,
                   struct point d, real *t);
 
+/* From the tangent `line` at t, by Newton's method, to the one around there from which d has the least signed
+ * distance. */
+void envelope_touch(const struct region_work *k, const struct region_edge *edge, struct point d, real t,
+                    real *line);
+
 /* Tangent at t of the span, (A, B, C) with A^2 + B^2 = 1, the region on the positive side. */
 void envelope_tangent(const struct region_work *k, const struct region_edge *edge, real t, real *line);
 

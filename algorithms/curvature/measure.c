@@ -2,7 +2,7 @@
 #include "arcs.h"
 #include "boundary.h"
 
-enum { ROUNDS = 200, SAMPLES = 6, LINES = 3 };
+enum { ROUNDS = 200, SAMPLES = 8, LINES = 3, TANGENTS_MAX = 256 };
 
 /* ---- area ---- */
 
@@ -107,30 +107,76 @@ static bool exchange(struct disc *s, const real *line)
     return true;
 }
 
-/* The tangent that the disc crosses by most, or touches; returns its distance from the centre. */
-static real nearest_tangent(struct region_work *k, const struct region *r, const struct disc *s, real *line)
+static void unit_line(const struct region_edge *e, real *line)
 {
-    struct point centre = {s->x, s->y};
-    struct envelope a;
-    real least = REAL_HUGE;
+    real length = real_sqrt(e->line[0] * e->line[0] + e->line[1] * e->line[1]);
+    for (int j = 0; j < 3; j++) {
+        line[j] = e->line[j] / length;
+    }
+}
+
+/* A few tangents of each arc, arc after arc: edge is its number. */
+struct tangents {
+    int count;
+    struct tangent {
+        int edge;
+        real t, line[3];
+    } at[TANGENTS_MAX];
+};
+
+/* false: too many arcs. */
+static bool tangents_make(const struct region_work *k, const struct region *r, struct tangents *out)
+{
+    out->count = 0;
     for (int i = 0; i < r->count; i++) {
         const struct region_edge *e = &r->edge[i];
-        real d, t, tangent[3];
-        if (e->type == EDGE_ARC) {
-            envelope_make(k, e, &a);
-            d = envelope_distance(k, e, &a, centre, &t);
-            envelope_tangent(k, e, t, tangent);
-        } else {
-            real length = real_sqrt(e->line[0] * e->line[0] + e->line[1] * e->line[1]);
-            for (int j = 0; j < 3; j++) {
-                tangent[j] = e->line[j] / length;
-            }
-            d = tangent[0] * centre.x + tangent[1] * centre.y + tangent[2];
+        if (e->type == EDGE_ARC && out->count + SAMPLES > TANGENTS_MAX) {
+            return false;
         }
-        if (d < least) {
-            least = d;
-            set_triple(tangent, line);
+        for (int j = 0; e->type == EDGE_ARC && j < SAMPLES; j++) {
+            struct tangent *at = &out->at[out->count++];
+            at->edge = i;
+            at->t = e->t + (e->t1 - e->t) * ((real)j / (SAMPLES - 1));
+            envelope_tangent(k, e, at->t, at->line);
         }
+    }
+    return true;
+}
+
+static real height(const real *line, const struct disc *s)
+{
+    return line[0] * s->x + line[1] * s->y + line[2];
+}
+
+static void keep_nearer(const real *tangent, const struct disc *s, real *least, real *line)
+{
+    if (height(tangent, s) < *least) {
+        *least = height(tangent, s);
+        set_triple(tangent, line);
+    }
+}
+
+/* The tangent that the disc crosses by most, or touches, of an arc from its nearest sample; returns its
+ * distance from the centre. */
+static real nearest_tangent(const struct region_work *k, const struct region *r,
+                            const struct tangents *samples, const struct disc *s, real *line)
+{
+    const struct point centre = {s->x, s->y};
+    real least = REAL_HUGE, tangent[3];
+    for (int i = 0; i < r->count; i++) {
+        if (r->edge[i].type != EDGE_ARC) {
+            unit_line(&r->edge[i], tangent);
+            keep_nearer(tangent, s, &least, line);
+        }
+    }
+    for (int i = 0; i < samples->count; i += SAMPLES) {
+        const struct tangent *best = &samples->at[i];
+        for (int j = i + 1; j < i + SAMPLES; j++) {
+            best = height(samples->at[j].line, s) < height(best->line, s) ? &samples->at[j] : best;
+        }
+        set_triple(best->line, tangent);
+        envelope_touch(k, &r->edge[best->edge], centre, best->t, tangent);
+        keep_nearer(tangent, s, &least, line);
     }
     return least;
 }
@@ -143,56 +189,62 @@ static bool is_nearer_to_opposite(const real *n, int side, const real *a, const 
     return beside && (cross_b < 0 || n[0] * a[0] + n[1] * a[1] < n[0] * b[0] + n[1] * b[1]);
 }
 
-/* Tangent number i of an edge, SAMPLES of each arc. */
-static bool sample(const struct region_work *k, const struct region_edge *e, int i, real *line)
+static void begin_with(const real *line, bool first, struct disc *s)
 {
-    if (e->type == EDGE_ARC) {
-        envelope_tangent(k, e, e->t + (e->t1 - e->t) * ((real)i / (SAMPLES - 1)), line);
-        return i < SAMPLES;
+    for (int i = 0; first && i < LINES; i++) {
+        set_triple(line, s->line[i]);
     }
-    real length = real_sqrt(e->line[0] * e->line[0] + e->line[1] * e->line[1]);
-    for (int j = 0; j < 3; j++) {
-        line[j] = e->line[j] / length;
+    for (int side = 1; side >= -1; side -= 2) {
+        real *best = s->line[side > 0 ? 1 : 2];
+        if (is_nearer_to_opposite(s->line[0], side, line, best)) {
+            set_triple(line, best);
+        }
     }
-    return i < 1;
 }
 
 /* Three tangents whose normals surround 0. */
-static void disc_begin(const struct region_work *k, const struct region *r, struct disc *s)
+static void disc_begin(const struct region *r, const struct tangents *samples, struct disc *s)
 {
     real line[3];
-    sample(k, &r->edge[0], 0, s->line[0]);
-    set_triple(s->line[0], s->line[1]);
-    set_triple(s->line[0], s->line[2]);
+    bool first = true;
     for (int i = 0; i < r->count; i++) {
-        for (int j = 0; sample(k, &r->edge[i], j, line); j++) {
-            for (int side = 1; side >= -1; side -= 2) {
-                real *best = s->line[side > 0 ? 1 : 2];
-                if (is_nearer_to_opposite(s->line[0], side, line, best)) {
-                    set_triple(line, best);
-                }
-            }
+        if (r->edge[i].type != EDGE_ARC) {
+            unit_line(&r->edge[i], line);
+            begin_with(line, first, s);
+            first = false;
         }
+    }
+    for (int i = 0; i < samples->count; i++) {
+        begin_with(samples->at[i].line, first, s);
+        first = false;
     }
 }
 
-static void measure_disc(struct region_work *k, real tolerance, struct region *r)
+/* Radii of the touching discs fall until they meet the largest disc that fits, or rounding stops them. */
+static void measure_disc(const struct region_work *k, real tolerance, struct region *r)
 {
+    struct tangents samples;
     struct disc s;
-    real line[3] = {0, 0, 0};
-    disc_begin(k, r, &s);
-    for (int i = 0; i < ROUNDS && disc_touch(&s); i++) {
-        real d = nearest_tangent(k, r, &s, line);
-        r->disc_centre.x = s.x;
-        r->disc_centre.y = s.y;
-        r->disc_radius = real_max(0, d);
-        if (s.radius - d <= tolerance * real_abs(s.radius) || !exchange(&s, line)) {
+    real line[3] = {0, 0, 0}, last = REAL_HUGE;
+    if (!tangents_make(k, r, &samples)) {
+        return;
+    }
+    disc_begin(r, &samples, &s);
+    for (int i = 0; i < ROUNDS && disc_touch(&s) && s.radius < last; i++) {
+        real d = nearest_tangent(k, r, &samples, &s, line), size = s.radius + real_abs(s.x) + real_abs(s.y);
+        if (d > r->disc_radius) {
+            r->disc_centre.x = s.x;
+            r->disc_centre.y = s.y;
+            r->disc_radius = d;
+        }
+        if (s.radius - d <= tolerance * size || !exchange(&s, line)) {
             return;
         }
+        last = s.radius;
     }
 }
 
-void boundary_measure(struct region_work *k, real tolerance, struct region *r)
+void boundary_measure(const struct region_work *k, real tolerance, struct region *r)
 {
     real fine = real_max(tolerance, 8 * REAL_EPSILON);
     if (r->kind == REGION_BOUNDED && r->count > 0) {

@@ -6,7 +6,7 @@
 
 #include "../core/bernstein.h"
 
-enum { STACK = 2 * (REAL_BITS + 8) };
+enum { STACK = 2 * (REAL_BITS + 8), HALVINGS = 12 };
 
 /* ---- inside? ---- */
 
@@ -69,6 +69,42 @@ static enum side test_form(struct region_work *k, const struct heights *s)
     return SIDE_INSIDE;
 }
 
+/* Most points are settled by a few halvings with one bound for all coefficients; SIDE_BOUNDARY: not this one.
+ */
+static enum side test_quickly(const struct span *span, const real *v)
+{
+    real h[HALVINGS + 1][FORM_MAX], bound = 2 * span->error;
+    int l = span->form.l, length = l + 1, top = 0, halvings = 0;
+    const real *A = span->form.L, *B = A + length, *C = B + length;
+    for (int i = 0; i <= l; i++) {
+        h[0][i] = A[i] * v[0] + B[i] * v[1] + C[i] * v[2];
+    }
+    while (top >= 0) {
+        const real *c = h[top];
+        real least = c[0];
+        for (int i = 1; i <= l; i++) {
+            least = real_min(least, c[i]);
+        }
+        if (least > bound) {
+            top--;
+            continue;
+        }
+        if (c[0] < -bound || c[l] < -bound) {
+            return SIDE_OUTSIDE;
+        }
+        if (c[0] <= bound || c[l] <= bound || halvings++ == HALVINGS) {
+            return SIDE_BOUNDARY;
+        }
+        real cell[FORM_MAX];
+        for (int i = 0; i <= l; i++) {
+            cell[i] = c[i];
+        }
+        bernstein_halve(l, 1, cell, h[top], h[top + 1]);
+        top++;
+    }
+    return SIDE_INSIDE;
+}
+
 static enum side test_span(struct region_work *k, const struct span *span, const real *v, real margin)
 {
     struct heights s;
@@ -100,7 +136,8 @@ enum side region_contains(const struct region_problem *p, struct region_workspac
     family_point_in(k, d, v);
     real reach = margin / k->scale * v[2]; /* v is the point times v[2] */
     for (int i = 0; i < k->spans && side != SIDE_OUTSIDE; i++) {
-        enum side one = test_span(k, &k->span[i], v, reach);
+        enum side one = reach > 0 ? SIDE_BOUNDARY : test_quickly(&k->span[i], v);
+        one = one == SIDE_BOUNDARY ? test_span(k, &k->span[i], v, reach) : one;
         side = one < side ? one : side;
     }
     for (int i = 0; i < k->chords && side != SIDE_OUTSIDE; i++) {
