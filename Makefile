@@ -21,10 +21,11 @@ PRECISIONS = double quad multi
 
 # ---- what is built from what ---------------------------------------------------------------------------------
 
-COMMON_MODULES = case case_fields case_expected number random row exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter exact_answer json_text truth_compare referee referee_truth referee_place referee_pair krawczyk anchored region_case $(COMMON_EXTRA)
-REAL_MODULES   = real_text problem answer judge judge_groups judge_curves judge_overlaps check_options check_case check_table algorithms_named external solve_options answer_table clock case_set timing timing_rows time_options
-REAL_MODULES  += region_problem region_answer region_check region_check_expected region_check_sample region_sample region_options
-COMMON_EXTRA   = progress statistics
+COMMON_MODULES = case case_fields case_expected number random row exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter exact_answer json_text truth_compare referee referee_truth referee_place referee_pair referee_krawczyk referee_cells region_case $(COMMON_EXTRA)
+REAL_MODULES   = real_text problem answer judge judge_points guard judge_groups judge_curves judge_overlaps check_options check_case check_table check_estimate check_worker algorithms_named external solve_options answer_table clock case_set instructions time_worker contestant compare_builds compare_files timing timing_work timing_rows time_family time_options \
+                 planted_roots measuring path order_measure lemma_reduction lemma_cut \
+                 region_problem region_answer region_check region_check_expected region_check_sample region_sample region_options
+COMMON_EXTRA   = progress statistics resume noise regression order_estimate known_solutions close_up cost_law
 
 ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c algorithms/curvature/*.c)
 ALGORITHMS_double := $(ALGORITHMS) $(wildcard algorithms/peers/*.c)
@@ -32,8 +33,10 @@ ALGORITHMS_quad  := $(ALGORITHMS)
 ALGORITHMS_multi := $(ALGORITHMS)
 
 # Programs that work with reals are built for each precision; the others once, in build/double.
-PROGRAMS_REAL = list solve check time repeat region
+PROGRAMS_REAL = list solve check time repeat doctor compare passes roots region
 PROGRAMS_ONCE = generate truth
+# These watch the algorithms at work.
+PROGRAMS_WATCHED = trace order cost lemma
 GENERATE_MODULES = draft draft_facts draft_contact family family_parts family_local family_write family_random \
                    family_crossing family_scale family_many family_contact family_degenerate family_overlap \
                    family_circle outline glyphs
@@ -81,6 +84,8 @@ build/$(1)/libharness.a: $(call real_objects,$(1)) $(common_objects)
 	ar rcs $$@ $$^
 $(PROGRAMS_REAL:%=build/$(1)/fatline-%): build/$(1)/fatline-%: build/$(1)/harness/%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) $$(LIBS)
+$(PROGRAMS_WATCHED:%=build/$(1)/fatline-%): build/$(1)/fatline-%: build/$(1)/harness/%.o build/$(1)/libharness.a build/$(1)/libwatched.a
+	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) $$(LIBS)
 endef
 $(foreach P,$(PRECISIONS),$(eval $(call precision_rules,$(P))))
 
@@ -101,12 +106,12 @@ build/fatline: build/common/harness/fatline.o
 	$(CC) -o $@ $^
 
 programs = build/fatline $(PROGRAMS_ONCE:%=build/double/fatline-%) \
-           $(foreach P,$(PRECISIONS),$(PROGRAMS_REAL:%=build/$(P)/fatline-%))
+           $(foreach P,$(PRECISIONS),$(patsubst %,build/$(P)/fatline-%,$(PROGRAMS_REAL) $(PROGRAMS_WATCHED)))
 
 # ---- tests ---------------------------------------------------------------------------------------------------
 
 # tests/test_X.c is built for each precision, those named here in double only.
-TESTS_ONCE = test_referee test_statistics test_clock test_case test_case_mistakes test_random test_row test_exact test_exact_overlap test_exact_invariance test_truth
+TESTS_ONCE = test_order test_close_up test_referee test_statistics test_clock test_case test_case_mistakes test_random test_row test_exact test_exact_overlap test_exact_invariance test_truth
 TESTS = $(patsubst tests/%.c,%,$(wildcard tests/test_*.c))
 tests_double = $(TESTS:%=build/double/tests/%)
 tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-out $(TESTS_ONCE),$(TESTS))))
@@ -114,10 +119,28 @@ tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-o
 define test_rules
 build/$(1)/tests/test_%: build/$(1)/tests/test_%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
+# The watched algorithms against the others, whose answers a program of its own prints.
+build/$(1)/tests/answers: build/$(1)/tests/answers.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
+	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
+build/$(1)/tests/test_convergence: build/$(1)/tests/test_convergence.o build/$(1)/libharness.a build/$(1)/libwatched.a
+	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
+build/$(1)/tests/test_watched: build/$(1)/tests/test_watched.o build/$(1)/libharness.a build/$(1)/libwatched.a \
+                               | build/$(1)/tests/answers
+	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
 endef
 $(foreach P,$(PRECISIONS),$(eval $(call test_rules,$(P))))
 
+# A build with a planted slowdown, which `fatline compare` must find.
+build/slower/double/fatline-passes: tests/planted_slowdown.c algorithms/intersect/bezier_clipping.c \
+                                    build/double/harness/passes.o build/double/libharness.a build/double/libalgorithms.a
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -Dbezier_clipping=plain_bezier_clipping -c algorithms/intersect/bezier_clipping.c -o $(@D)/plain.o
+	$(CC) $(CFLAGS) -c tests/planted_slowdown.c -o $(@D)/planted.o
+	$(CC) -o $@ $(@D)/planted.o $(@D)/plain.o $(filter %.o %.a,$^) $(LIBS_double) $(LIBS)
+
 -include $(shell find build -name '*.d' 2>/dev/null)
+
+include algorithms/peers/peers.mk
 
 # ---- commands ------------------------------------------------------------------------------------------------
 
@@ -126,14 +149,14 @@ JOBS ?= $(shell nproc)
 AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
-.PHONY: all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures \
+.PHONY: peers-table comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
         instructions against-lib2geom format clean help
 
-all: $(programs) ## build everything: build/fatline and its programs
+all: $(programs) peers-found ## build everything: build/fatline and its programs
 
-tests: $(programs) $(tests_double) $(tests_others) ## build everything and the tests
+tests: $(programs) peers-found build/slower/double/fatline-passes $(tests_double) $(tests_others) ## build everything and the tests
 
-check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (about 6 minutes)
+check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (6 minutes)
 	$(AFTER_SETUP) tests
 	@$(PYTHON) tests/run --cases $(CASES)
 
@@ -147,6 +170,22 @@ reproduce: setup-reproduce ## set up, build, run the main job and print its tabl
 
 figures: ## draw results/figures/ from results/raw/
 	@$(PYTHON) scripts/figures.py
+	@$(PYTHON) scripts/convergence_figures.py
+
+claims: all ## measure every claim of scripts/claims.toml and write results/claims.md (5 minutes)
+	@$(PYTHON) scripts/claims.py
+
+claim-%: all
+	@$(PYTHON) scripts/claims.py '$*'
+
+peers-table: all ## time and judge the other libraries that are installed beside ours (FULL=1: on all sets, 15 minutes)
+	@$(PYTHON) scripts/peers $(if $(filter-out 0,$(FULL)),--full)
+
+comparisons: ## profiles, growth, accuracy, every two algorithms, from results/raw/
+	@$(PYTHON) scripts/comparisons.py
+
+trials: all build/slower/double/fatline-passes ## can doctor and compare be trusted here? (5 minutes)
+	@scripts/compare_trials
 
 instructions: all ## count the instructions of each algorithm under callgrind
 	@scripts/instructions

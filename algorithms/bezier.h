@@ -28,24 +28,29 @@ struct curve {
 };
 
 /* Made once for each problem by problem_solve; algorithms read them.  Both curves are then scaled by one
- * power of two so that 1 <= scale < 2. scale:  max |coordinate| of the Euclidean control points of both
- * curves (0 if all are the origin). f, g:   every control point that a cell carries for f (for g) differs
- * from the exact one over the cell's interval by at most f (g) in each Euclidean coordinate; see
- * core/cells.h. tolerance_t, tolerance_s: widths asked for in local parameters, in [0, 1]. */
+ * power of two so that 1 <= scale < 2. */
 struct bounds {
-    real scale, f, g;
-    real tolerance_t, tolerance_s;
+    real scale; /* max |coordinate| of the Euclidean control points of both curves; 0 if all are the origin */
+    real f, g;  /* every control point that a cell carries for f (for g) differs from the exact one over the
+                   cell's interval by at most this in each Euclidean coordinate: see core/cells.h */
+    real tolerance_t, tolerance_s; /* widths asked for in local parameters, 4 REAL_EPSILON to 1/16 */
 };
 
-struct crossings;
+/* The first three digits of a root, in parameters that run from 0 to 1 over each curve's domain. */
+struct known {
+    real t, s;
+};
 
 /* Where does f(t) = g(s)? */
 struct problem {
     struct curve f, g;
-    real tolerance;                /* width asked for, in both parameters */
-    int max_steps;                 /* > 0 */
-    struct bounds bounds;          /* of the prepared problem; callers leave it zero */
-    const struct crossings *known; /* NULL, but for `floor` */
+    real tolerance;            /* width asked for, in both parameters */
+    int max_steps;             /* > 0 */
+    struct bounds bounds;      /* of the prepared problem; callers leave it zero */
+    const struct known *known; /* what `floor` is told; else NULL.  t of the f that the caller gave */
+    int known_count;
+    bool swapped;    /* of the prepared problem: f and g are exchanged */
+    bool keep_order; /* the curves are not exchanged: for who measures single steps */
 };
 
 /* CANDIDATE: could not be excluded.  UNIQUE: holds exactly one solution, proved.
@@ -76,11 +81,14 @@ struct crossings {
     struct overlap overlap[OVERLAPS_MAX];
 };
 
-/* SOLVED: every record is as narrow as asked, or carries its own proof.
+/* SOLVED: every record is as narrow as asked and the precision allows (struct bounds), or carries its own
+ * proof.
  * OUT_OF_STEPS, OUT_OF_ROOM: stopped early; what is undecided is among the records, wider than asked.
  * UNSUPPORTED: this algorithm does not take this problem (in this precision); no records.
- * INVALID: the problem is not one (degree, weights, tolerance, a value that is not finite); no records. */
-enum outcome { SOLVED, OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED, INVALID };
+ * INVALID: the problem is not one (degree, weights that are not positive or differ by more than 2^256,
+ * tolerance, a value that is not finite); no records.
+ * GAVE_UP: other people's code says that it failed; CRASHED, TIMED_OUT: it had to be ended; no records. */
+enum outcome { SOLVED, OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED, INVALID, GAVE_UP, CRASHED, TIMED_OUT };
 
 /* Two pieces that may still meet: f over t, g over s (local parameters, in [0, 1]).  Their homogeneous
  * control points lie in the workspace: x[0..n], y[0..n] and, if the curve is rational, w[0..n], one after the
@@ -90,6 +98,7 @@ struct cell {
     int depth;              /* splits since the root */
     int turn;               /* 0: f is to be clipped next, 1: g; for algorithms that alternate */
     int halved_f, halved_g; /* midpoint halvings since the last cut from the original (core/cells.h) */
+    bool proved;            /* holds exactly one solution; for algorithms that prove it */
     real *f, *g;
 };
 
@@ -104,19 +113,25 @@ struct workspace {
     real *prepared; /* scaled copies of both curves */
     real *scratch;  /* intersector.scratch(n, m) numbers, for algorithms that ask for them */
     size_t scratch_length;
-    /* What scratch holds: true if the last solve was by the same algorithm for the same degrees, so that tables
-     * which depend on nothing else need not be made again. */
+    /* What scratch holds: true if the last solve was by the same algorithm for the same degrees, so that
+     * tables which depend on nothing else need not be made again. */
     bool planned;
     const struct intersector *plan;
     int plan_n, plan_m;
-    void (*watch)(void *log, enum event, const struct cell *); /* called in the watched build only */
+    /* Called in the watched build only: what happened to a cell; whether one just taken from the stack is to
+     * be dropped, for who watches a single solution. */
+    void (*watch)(void *log, enum event, const struct cell *);
+    bool (*ignore)(void *log, const struct cell *);
     void *log;
+    bool swapped; /* in the last solve a cell's f was the problem's g */
 };
 
 /* Order of convergence per round claimed by the reference at contact 1, 2, 3 and at a cusp; 0: none. */
 struct order {
     double contact_1, contact_2, contact_3, cusp;
 };
+
+struct foreign; /* peers/foreign.h */
 
 struct intersector {
     const char *name;      /* as typed and as tabulated */
@@ -128,18 +143,22 @@ struct intersector {
     size_t (*scratch)(int n, int m); /* numbers of scratch memory needed; NULL: none */
     bool points_only; /* answers are points with a guessed width, without a proof that none is missing */
     bool allocates;   /* in a call: allowed in peers/ only */
+    const struct foreign *foreign; /* other people's code; NULL: ours */
 };
 
-/* The registry: NULL-terminated, in the order of list.h.  controls[] are deliberate mistakes, found by
- * their exact names only: negative controls for the tests. */
+/* The registry: NULL-terminated, in the order of list.h.  peers[] are other people's algorithms, those that
+ * are absent too (UNSUPPORTED whatever the problem); controls[] are deliberate mistakes, found by their exact
+ * names only: negative controls for the tests.  intersector_floor is the yardstick, floor.c. */
 extern const struct intersector *const intersectors[];
+extern const struct intersector *const peers[];
+extern const struct intersector *const intersector_floor;
 extern const struct intersector *const controls[];
-extern const struct intersector *const intersector_default; /* for whoever asks for none by name */
-const struct intersector *intersector_find(const char *name); /* in either table; NULL if there is none */
+extern const struct intersector *const intersector_default;   /* for whoever asks for none by name */
+const struct intersector *intersector_find(const char *name); /* in any table; NULL if there is none */
 
 /* Bytes for curves of degree <= n, <= m, `room` waiting cells and `scratch` numbers. */
 size_t workspace_size(int n, int m, int room, size_t scratch);
-/* Lays w out in `memory` (aligned as malloc aligns, at least workspace_size bytes). */
+/* Lays w out in `memory` (aligned as malloc aligns, at least workspace_size bytes); room >= 1. */
 void workspace_init(struct workspace *w, void *memory, int n, int m, int room, size_t scratch);
 
 /* Solves p by a: validates, scales by a power of two, puts the two curves in a canonical order (so that

@@ -28,6 +28,7 @@ static void merge_touching(struct crossings *out)
         if (j >= last && j >= 0) {
             join(&out->at[j].t, &c.t);
             join(&out->at[j].s, &c.s);
+            out->at[j].at_most = 0;
         } else {
             out->at[kept++] = c;
         }
@@ -45,6 +46,7 @@ static void merge_pairs(struct crossings *out)
         if (single && c.standing == CANDIDATE) {
             join(&out->at[kept - 1].t, &c.t);
             join(&out->at[kept - 1].s, &c.s);
+            out->at[kept - 1].at_most = 0;
             single = false;
         } else {
             out->at[kept++] = c;

@@ -1,5 +1,6 @@
-/* The registry: one line per algorithm; order here is order in the tables.  What only makes sense in doubles is left
- * out of the other builds.  CONTROL entries are deliberate mistakes, kept to show that the tests find them. */
+/* The registry: one line per algorithm; order here is order in the tables.  What only makes sense in doubles
+ * is left out of the other builds.  CONTROL entries are deliberate mistakes, kept to show that the tests find
+ * them. */
 INTERSECTOR(subdivision)
 INTERSECTOR(subdivision_oriented)
 INTERSECTOR(bezier_clipping)
@@ -9,9 +10,37 @@ INTERSECTOR(hybrid_clipping_3)
 INTERSECTOR(hybrid_clipping_1_arc)
 INTERSECTOR(hybrid_clipping_2_arc)
 INTERSECTOR(hybrid_clipping_3_arc)
+INTERSECTOR(gap_clipping_2)
+INTERSECTOR(gap_clipping_3)
+INTERSECTOR(gap_clipping_4)
+INTERSECTOR(gap_clipping_5)
+INTERSECTOR(pair_clipping_1)
+INTERSECTOR(pair_clipping_2)
+INTERSECTOR(pair_clipping_3)
 INTERSECTOR(implicitization)
+INTERSECTOR(implicitization_quadratic)
+INTERSECTOR(implicitization_cubic)
 #if !defined(FATLINE_QUAD) && !defined(FATLINE_MULTI)
 INTERSECTOR(resultant_eigen)
+#endif
+
+/* Other people's, with their own tables in peers/peers.c; whatever is not installed is listed as absent. */
+#if !defined(FATLINE_QUAD) && !defined(FATLINE_MULTI)
+PEER(lyon_geom)
+PEER(lyon_geom_polished)
+PEER(lib2geom)
+PEER(lib2geom_polished)
+PEER(open_cascade)
+PEER(sisl)
+PEER(sisl_polished)
+PEER(cgal)
+PEER(paper)
+PEER(paper_polished)
+PEER(flo_bezier3)
+PEER(kld_intersections)
+PEER(kld_intersections_polished)
+PEER(bezier_js)
+PEER(bezier_js_polished)
 #endif
 
 CONTROL(control_discard_and)
@@ -25,3 +54,4 @@ CONTROL(control_normal_not_unit)
 REGION_METHOD(region_carriers)
 REGION_METHOD(region_cutting)
 #endif
+#define INTERSECTOR_FLOOR newton_floor

@@ -4,6 +4,18 @@
 
 /* ---- is it a problem? ---- */
 
+/* Weights may differ by this factor: then no product of two of them, nor a square, underflows. */
+static const int weights_ratio_exponent = 256;
+
+static void weights_measure(const struct curve *c, real *least, real *most)
+{
+    *least = *most = c->w[0];
+    for (int i = 1; i <= c->degree; i++) {
+        *least = real_min(*least, c->w[i]);
+        *most = real_max(*most, c->w[i]);
+    }
+}
+
 /* Degree, domain, finite coordinates and positive weights; *extent grows to the largest |coordinate| of the
  * Euclidean control points.  a - a is 0 for finite a and NaN for every other. */
 static bool curve_measure(const struct curve *c, real *extent)
@@ -11,7 +23,7 @@ static bool curve_measure(const struct curve *c, real *extent)
     if (c->degree < 1 || c->degree > DEGREE_MAX || !(c->domain.lo < c->domain.hi)) {
         return false;
     }
-    real rest = (c->domain.lo - c->domain.lo) + (c->domain.hi - c->domain.hi), most = *extent;
+    real width = c->domain.hi - c->domain.lo, rest = width - width, most = *extent;
     for (int i = 0; i <= c->degree; i++) {
         real a = real_max(real_abs(c->x[i]), real_abs(c->y[i]));
         rest += (c->x[i] - c->x[i]) + (c->y[i] - c->y[i]);
@@ -25,6 +37,11 @@ static bool curve_measure(const struct curve *c, real *extent)
         most = real_max(most, a);
     }
     *extent = most;
+    if (rest == 0 && c->w) {
+        real light, heavy;
+        weights_measure(c, &light, &heavy);
+        rest = light < real_ldexp(heavy, -weights_ratio_exponent);
+    }
     return rest == 0 && real_is_finite(most);
 }
 
@@ -32,25 +49,31 @@ static bool curve_measure(const struct curve *c, real *extent)
 
 /* The power of two that brings extent into [1, 2); bounded, so that it is finite for subnormal extents too.
  */
-static real scale_factor(real extent)
+static int scale_exponent(real extent)
 {
     if (!(extent > 0)) {
-        return 1;
+        return 0;
     }
     int e = 1 - real_exponent(extent);
-    return real_ldexp(1, e < 1000 ? e : 1000);
+    return e < 1000 ? e : 1000;
 }
 
-/* Copies c scaled by the exact power of two `factor`; weights are kept, so that x/w and y/w scale. */
-static real *curve_scale(const struct curve *c, real factor, real *to, struct curve *out)
+/* Copies c times 2^e, exactly; the weights are multiplied by a power of two that brings the largest into [1,
+ * 2), so that no common factor of theirs makes products of them overflow or underflow. */
+static real *curve_scale(const struct curve *c, int e, real *to, struct curve *out)
 {
-    int length = c->degree + 1;
+    int length = c->degree + 1, weigh = 0;
+    real factor = real_ldexp(1, e);
+    if (c->w) {
+        real light, heavy;
+        weights_measure(c, &light, &heavy);
+        weigh = 1 - real_exponent(heavy);
+    }
     out->degree = c->degree;
-    out->domain.lo = 0;
-    out->domain.hi = 1;
+    out->domain = c->domain;
     for (int i = 0; i < length; i++) {
-        to[i] = c->x[i] * factor;
-        to[length + i] = c->y[i] * factor;
+        to[i] = c->w ? real_ldexp(c->x[i], e + weigh) : c->x[i] * factor;
+        to[length + i] = c->w ? real_ldexp(c->y[i], e + weigh) : c->y[i] * factor;
     }
     out->x = to;
     out->y = to + length;
@@ -58,7 +81,7 @@ static real *curve_scale(const struct curve *c, real factor, real *to, struct cu
     to += 2 * length;
     if (c->w) {
         for (int i = 0; i < length; i++) {
-            to[i] = c->w[i];
+            to[i] = real_ldexp(c->w[i], weigh);
         }
         out->w = to;
         to += length;
@@ -77,7 +100,7 @@ static real cell_error(const struct curve *c, real scale)
 
 /* ---- order ---- */
 
-/* A total order of curves that no positive scaling changes: < 0, 0, > 0. */
+/* A total order of curves that no positive scaling of the coordinates changes: < 0, 0, > 0. */
 static int curve_compare(const struct curve *a, const struct curve *b)
 {
     if (a->degree != b->degree) {
@@ -94,7 +117,10 @@ static int curve_compare(const struct curve *a, const struct curve *b)
             }
         }
     }
-    return 0;
+    if (a->domain.lo != b->domain.lo) {
+        return a->domain.lo < b->domain.lo ? -1 : 1;
+    }
+    return a->domain.hi < b->domain.hi ? -1 : a->domain.hi > b->domain.hi;
 }
 
 /* ---- the way back ---- */
@@ -105,8 +131,8 @@ static void to_domain(const struct interval *domain, struct interval *t)
     if (a == 0 && b == 1) {
         return;
     }
-    real pad =
-        2 * REAL_EPSILON * real_max(real_abs(a), real_abs(b)); /* three roundings of at most 2 max each */
+    /* u of b - a and of the product, at most 2 max each; u of the sum and of the end, at most max each */
+    real pad = 4 * REAL_EPSILON * real_max(real_abs(a), real_abs(b));
     real lo = a + (b - a) * t->lo - pad, hi = a + (b - a) * t->hi + pad;
     t->lo = t->lo == 0 ? a : real_max(a, lo);
     t->hi = t->hi == 1 ? b : real_min(b, hi);
@@ -144,6 +170,19 @@ static void translate_back(const struct problem *p, bool swapped, real factor, s
     crossings_sort(out);
 }
 
+/* In [0, 1]: not below the rounding of a parameter, and not so wide that a record would say nothing. */
+static real local_tolerance(real tolerance, const struct interval *domain)
+{
+    const real narrowest = 4 * REAL_EPSILON, widest = (real)1 / 16;
+    return real_min(widest, real_max(narrowest, tolerance / (domain->hi - domain->lo)));
+}
+
+static void scale_both(const struct problem *p, int e, bool swapped, struct workspace *w, struct problem *q)
+{
+    const struct curve *first = swapped ? &p->g : &p->f, *second = swapped ? &p->f : &p->g;
+    curve_scale(second, e, curve_scale(first, e, w->prepared, &q->f), &q->g);
+}
+
 enum outcome problem_solve(const struct problem *p, const struct intersector *a, struct workspace *w,
                            struct crossings *out)
 {
@@ -155,17 +194,25 @@ enum outcome problem_solve(const struct problem *p, const struct intersector *a,
         !curve_measure(&p->f, &extent) || !curve_measure(&p->g, &extent)) {
         return INVALID;
     }
-    real factor = scale_factor(extent);
+    const int e = scale_exponent(extent);
+    const real factor = real_ldexp(1, e);
+    const struct interval whole = {0, 1};
     struct problem q = *p;
-    bool swapped = curve_compare(&p->f, &p->g) > 0;
-    const struct curve *first = swapped ? &p->g : &p->f, *second = swapped ? &p->f : &p->g;
-    curve_scale(second, factor, curve_scale(first, factor, w->prepared, &q.f), &q.g);
+    bool swapped = !p->keep_order && curve_compare(&p->f, &p->g) > 0;
+    scale_both(p, e, swapped, w, &q);
+    if (!p->keep_order && p->f.w && p->g.w && curve_compare(&q.f, &q.g) > 0) { /* the scaled weights decide */
+        swapped = !swapped;
+        scale_both(p, e, swapped, w, &q);
+    }
+    w->swapped = swapped;
+    q.swapped = swapped;
+    const struct interval first = q.f.domain, second = q.g.domain;
+    q.f.domain = q.g.domain = whole;
     q.bounds.scale = extent * factor;
     q.bounds.f = cell_error(&q.f, q.bounds.scale);
     q.bounds.g = cell_error(&q.g, q.bounds.scale);
-    const real narrowest = 4 * REAL_EPSILON;
-    q.bounds.tolerance_t = real_max(narrowest, p->tolerance / (first->domain.hi - first->domain.lo));
-    q.bounds.tolerance_s = real_max(narrowest, p->tolerance / (second->domain.hi - second->domain.lo));
+    q.bounds.tolerance_t = local_tolerance(p->tolerance, &first);
+    q.bounds.tolerance_s = local_tolerance(p->tolerance, &second);
     w->planned = w->plan == a && w->plan_n == q.f.degree && w->plan_m == q.g.degree;
     w->plan = a;
     w->plan_n = q.f.degree;
@@ -177,7 +224,8 @@ enum outcome problem_solve(const struct problem *p, const struct intersector *a,
 
 const char *outcome_name(enum outcome o)
 {
-    static const char *const names[] = {"SOLVED", "OUT_OF_STEPS", "OUT_OF_ROOM", "UNSUPPORTED", "INVALID"};
+    static const char *const names[] = {"SOLVED",  "OUT_OF_STEPS", "OUT_OF_ROOM", "UNSUPPORTED",
+                                        "INVALID", "GAVE_UP",      "CRASHED",     "TIMED_OUT"};
     return names[o];
 }
 

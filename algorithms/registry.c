@@ -1,24 +1,37 @@
-/* list.h turned into the tables intersectors[] and controls[]. */
+/* list.h turned into the tables intersectors[], peers[] and controls[]. */
 #include <string.h>
 
 #include "bezier.h"
 
 #define INTERSECTOR(name) extern const struct intersector name;
+#define PEER(name) extern const struct intersector name;
 #define CONTROL(name) extern const struct intersector name;
 #include "list.h"
+extern const struct intersector INTERSECTOR_FLOOR;
 #undef INTERSECTOR
+#undef PEER
 #undef CONTROL
 
 #define INTERSECTOR(name) &name,
+#define PEER(name)
 #define CONTROL(name)
 extern const struct intersector *const intersectors[];
 const struct intersector *const intersectors[] = {
 #include "list.h"
     NULL};
 #undef INTERSECTOR
-#undef CONTROL
+#undef PEER
 
 #define INTERSECTOR(name)
+#define PEER(name) &name,
+extern const struct intersector *const peers[];
+const struct intersector *const peers[] = {
+#include "list.h"
+    NULL};
+#undef PEER
+#undef CONTROL
+
+#define PEER(name)
 #define CONTROL(name) &name,
 extern const struct intersector *const controls[];
 const struct intersector *const controls[] = {
@@ -28,10 +41,16 @@ const struct intersector *const controls[] = {
 extern const struct intersector *const intersector_default;
 const struct intersector *const intersector_default = &INTERSECTOR_DEFAULT;
 
+extern const struct intersector *const intersector_floor;
+const struct intersector *const intersector_floor = &INTERSECTOR_FLOOR;
+
 const struct intersector *intersector_find(const char *name)
 {
-    const struct intersector *const *tables[] = {intersectors, controls};
-    for (int k = 0; k < 2; k++) {
+    const struct intersector *const *tables[] = {intersectors, peers, controls};
+    if (!strcmp(intersector_floor->name, name)) {
+        return intersector_floor;
+    }
+    for (int k = 0; k < 3; k++) {
         for (const struct intersector *const *a = tables[k]; *a; a++) {
             if (!strcmp((*a)->name, name)) {
                 return *a;

@@ -33,5 +33,7 @@ void workspace_init(struct workspace *w, void *memory, int n, int m, int room, s
     w->plan = NULL;
     w->plan_n = w->plan_m = 0;
     w->watch = NULL;
+    w->ignore = NULL;
+    w->swapped = false;
     w->log = NULL;
 }

@@ -50,6 +50,11 @@ static const char *add_part(struct algorithms_named *a, const char *part)
             add(a, intersectors[i]);
             found = true;
         }
+    for (int i = 0; !exact && peers[i]; i++)
+        if (!strcmp(part, "peers") || !fnmatch(part, peers[i]->name, 0)) {
+            add(a, peers[i]);
+            found = true;
+        }
     return found ? NULL : complain(a, part);
 }
 

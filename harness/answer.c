@@ -160,10 +160,11 @@ static bool read_standing(const json_t *value, enum standing *standing)
 
 static bool read_outcome(const json_t *value, enum outcome *outcome)
 {
-    static const enum outcome all[] = {SOLVED, OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED, INVALID};
+    static const enum outcome all[] = {SOLVED,  OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED,
+                                       INVALID, GAVE_UP,      CRASHED,     TIMED_OUT};
     const char *name = json_string_value(value);
 
-    for (int i = 0; name && i < 5; i++) {
+    for (int i = 0; name && i < 8; i++) {
         if (strcmp(name, outcome_name(all[i])) == 0) {
             *outcome = all[i];
             return true;
@@ -258,8 +259,8 @@ static const char *read_line(const json_t *line, struct answer *a, char id[256],
     if (tolerance && !read_real(tolerance, &a->tolerance))
         return "tolerance: not a number, expected the width asked for";
     if (!read_outcome(json_object_get(line, "outcome"), &a->outcome))
-        return "outcome: missing or unknown, expected SOLVED, OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED or "
-               "INVALID";
+        return "outcome: missing or unknown, expected SOLVED, OUT_OF_STEPS, OUT_OF_ROOM, UNSUPPORTED, "
+               "INVALID, GAVE_UP, CRASHED or TIMED_OUT";
     if (!read_count(json_object_get(line, "steps"), 1L << 53, &a->steps))
         return "steps: not a count, expected an integer that is not negative";
     if (!read_flag(json_object_get(line, "points_only"), &a->points_only))

@@ -7,6 +7,9 @@
 #include "../algorithms/core/bernstein.h"
 #include "number.h"
 
+/* More records than ROWS_MAX are for programs: they are written as JSON. */
+enum { ROWS_MAX = 40, POINT_DIGITS = 10 };
+
 enum { DIGITS_MAX = REAL_BITS <= 53 ? 16 : REAL_BITS <= 113 ? 34 : 60, TEXT = 80 };
 
 /* Decimal with `digits` significant digits. */
@@ -14,6 +17,10 @@ static void decimal_text(real a, int digits, char text[TEXT])
 {
     mpq_t q;
     mpfr_t decimal;
+    if (!real_is_finite(a)) {
+        snprintf(text, TEXT, "beyond range");
+        return;
+    }
     mpq_init(q);
     mpfr_init2(decimal, 256);
     real_to_rational(a, q);
@@ -50,15 +57,16 @@ static void point(const struct curve *f, real t, real *x, real *y)
 
 static void write_crossing(FILE *stream, const struct crossing *c, const struct curve *f, int width)
 {
-    char t[TEXT], s[TEXT], wide[TEXT];
+    char t[TEXT], s[TEXT], wide[TEXT], at_x[TEXT], at_y[TEXT];
     real x, y;
     int digits = digits_told(c);
     decimal_text(middle(c->t), digits, t);
     decimal_text(middle(c->s), digits, s);
     decimal_text(real_max(c->t.hi - c->t.lo, c->s.hi - c->s.lo), 2, wide);
     point(f, middle(c->t), &x, &y);
-    fprintf(stream, "  %-*s %-*s (%.10g, %.10g)  %s", width, t, width, s, real_to_double(x),
-            real_to_double(y), standing_name(c->standing));
+    decimal_text(x, POINT_DIGITS, at_x);
+    decimal_text(y, POINT_DIGITS, at_y);
+    fprintf(stream, "  %-*s %-*s (%s, %s)  %s", width, t, width, s, at_x, at_y, standing_name(c->standing));
     if (c->multiplicity > 0)
         fprintf(stream, ", multiplicity %d", c->multiplicity);
     if (c->at_most > 0)
@@ -80,15 +88,18 @@ void answer_table_write(FILE *stream, const struct answer *a, const struct probl
     char tolerance[TEXT];
     int width = 8;
     decimal_text(a->tolerance, 3, tolerance);
-    for (int i = 0; i < out->count; i++)
+    const int shown = out->count < ROWS_MAX ? out->count : ROWS_MAX;
+    for (int i = 0; i < shown; i++)
         width = digits_told(&out->at[i]) + 8 > width ? digits_told(&out->at[i]) + 8 : width;
     fprintf(stream, "%s: %s, %s, tolerance %s: %s after %ld step%s%s%s\n", a->id, a->algorithm, REAL_NAME,
             tolerance, outcome_name(a->outcome), a->steps, a->steps == 1 ? "" : "s", message ? ": " : "",
             message ? message : "");
     if (out->count > 0)
         fprintf(stream, "  %-*s %-*s point\n", width, "t (on f)", width, "s (on g)");
-    for (int i = 0; i < out->count; i++)
+    for (int i = 0; i < shown; i++)
         write_crossing(stream, &out->at[i], &p->f, width);
+    if (shown < out->count)
+        fprintf(stream, "  and %d more\n", out->count - shown);
     for (int i = 0; i < out->overlaps; i++)
         write_overlap(stream, &out->overlap[i]);
     if (a->outcome == SOLVED && out->count + out->overlaps == 0)

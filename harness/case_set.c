@@ -85,13 +85,19 @@ int case_set_read(struct case_set *set, const char *path, real tolerance, int ma
     return worst;
 }
 
-void case_set_clear(struct case_set *set)
+void case_set_shorten(struct case_set *set, int count)
 {
-    for (int i = 0; i < set->count; i++) {
+    for (int i = count; i < set->count; i++) {
         owned_problem_clear(&set->at[i].owned);
         case_clear(&set->at[i].c);
         free(set->at[i].line);
     }
+    set->count = count;
+}
+
+void case_set_clear(struct case_set *set)
+{
+    case_set_shorten(set, 0);
     for (int i = 0; i < set->files; i++)
         free(set->file[i]);
     free(set->at);

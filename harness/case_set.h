@@ -27,6 +27,8 @@ struct case_set {
  * a line is bad; what is wrong was then said on stderr, once for each bad line, and the good lines are added.
  */
 int case_set_read(struct case_set *set, const char *path, real tolerance, int max_steps);
+/* Keeps the first `count` cases. */
+void case_set_shorten(struct case_set *set, int count);
 void case_set_clear(struct case_set *set);
 
 #endif

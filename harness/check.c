@@ -9,7 +9,6 @@
  * together, and replies to each through a pipe of its own; so the replies are read in the order of the lines.
  */
 #include <errno.h>
-#include <fnmatch.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,9 +18,11 @@
 
 #include <argp.h>
 
-#include "check_case.h"
+#include "check_estimate.h"
 #include "check_table.h"
+#include "check_worker.h"
 #include "progress.h"
+#include "resume.h"
 #include "row.h"
 
 enum { OK = 0, NOT_RIGHT = 1, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
@@ -32,127 +33,6 @@ static void interrupt(int signal_number)
 {
     (void)signal_number;
     interrupted = 1;
-}
-
-/* Standard input is read once, by the parent. */
-static char *standard_input;
-static size_t standard_input_size;
-
-static void load_standard_input(void)
-{
-    FILE *copy = open_memstream(&standard_input, &standard_input_size);
-    char buffer[65536];
-    size_t n;
-    while ((n = fread(buffer, 1, sizeof buffer, stdin)) > 0)
-        fwrite(buffer, 1, n, copy);
-    fclose(copy);
-}
-
-static FILE *open_cases(const char *path)
-{
-    if (strcmp(path, "-"))
-        return fopen(path, "r");
-    return standard_input_size ? fmemopen(standard_input, standard_input_size, "r") : fopen("/dev/null", "r");
-}
-
-/* ---- a worker --------------------------------------------------------------------------------------------
- */
-
-struct worker {
-    struct checker checker;
-    const struct check_options *options;
-    int number;       /* 0 .. options->jobs - 1 */
-    long lines;       /* of all files so far */
-    json_t *of_class; /* cases seen of each class */
-    FILE *to;
-};
-
-static bool reply_with(struct worker *w, json_t *reply)
-{
-    json_dumpf(reply, w->to, JSON_COMPACT);
-    json_decref(reply);
-    return fputc('\n', w->to) != EOF && !fflush(w->to);
-}
-
-/* Counts the case if it is of those asked for. */
-static bool is_selected(struct worker *w, const struct test_case *c)
-{
-    const struct check_options *o = w->options;
-    if ((o->id && fnmatch(o->id, c->id, 0)) || (o->class_name && strcmp(o->class_name, c->class_name)))
-        return false;
-    json_int_t seen = json_integer_value(json_object_get(w->of_class, c->class_name));
-    json_object_set_new(w->of_class, c->class_name, json_integer(seen + 1));
-    return seen % o->sample == 0;
-}
-
-/* Every worker counts the classes; only one replies. False if nobody listens any more. */
-static bool take_line(struct worker *w, const char *text, const char *file, int line_number)
-{
-    bool mine = w->lines++ % w->options->jobs == w->number, selected = false;
-    struct test_case c;
-    char error[512];
-    json_t *reply = NULL;
-
-    if (!mine && w->options->sample == 1)
-        return true;
-    enum case_status status = case_parse(text, file, line_number, &c, error);
-    if (status == CASE_READ)
-        selected = is_selected(w, &c);
-    if (mine && status != CASE_READ)
-        reply = json_pack("{s:b,s:[s]}", "bad", 1, "notes", error);
-    else if (mine)
-        reply = selected ? checker_run(&w->checker, &c) : json_object();
-    if (status == CASE_READ)
-        case_clear(&c);
-    return !mine || reply_with(w, reply);
-}
-
-static bool is_blank(const char *text)
-{
-    return text[strspn(text, " \t\r\n")] == 0;
-}
-
-static bool take_file(struct worker *w, const char *path)
-{
-    const char *name = strcmp(path, "-") ? path : "stdin";
-    FILE *stream = open_cases(path);
-    char *text = NULL;
-    size_t size = 0;
-    int line_number = 0;
-    bool more = true;
-
-    if (!stream)
-        return w->lines++ % w->options->jobs != w->number ||
-               reply_with(w, json_pack("{s:b,s:[o]}", "failed", 1, "notes",
-                                       json_sprintf("%s: %s", path, strerror(errno))));
-    while (more && getline(&text, &size, stream) >= 0) {
-        line_number++;
-        if (!is_blank(text))
-            more = take_line(w, text, name, line_number);
-    }
-    free(text);
-    fclose(stream);
-    return more;
-}
-
-static int work(const struct check_options *o, int number, FILE *to)
-{
-    static char dash[] = "-";
-    static char *const only[] = {dash};
-    struct worker w = {.options = o, .number = number, .to = to};
-    char *const *files = o->file_count ? o->files : only;
-    const char *error = checker_open(&w.checker, o);
-    if (error) {
-        fprintf(stderr, "fatline check: %s\n", error);
-        return FAILED;
-    }
-    w.of_class = json_object();
-    for (int i = 0; i < (o->file_count ? o->file_count : 1); i++)
-        if (!take_file(&w, files[i]))
-            break;
-    checker_close(&w.checker);
-    json_decref(w.of_class);
-    return fclose(to) ? FAILED : OK;
 }
 
 /* ---- the parent ------------------------------------------------------------------------------------------
@@ -177,7 +57,7 @@ static bool hire(const struct check_options *o, struct hand *hands, int number)
         for (int i = 0; i < number; i++)
             close(fileno(hands[i].from));
         close(ends[0]);
-        _exit(work(o, number, fdopen(ends[1], "w")));
+        _exit(check_work(o, number, fdopen(ends[1], "w")));
     }
     close(ends[1]);
     hands[number].from = fdopen(ends[0], "r");
@@ -205,7 +85,8 @@ static bool dismiss(struct hand *hands, int count, bool early)
 
 /* Rows to the output or the table, notes to standard error; an exit status for what is wrong with the line.
  */
-static int take_reply(const json_t *reply, const struct check_options *o, struct check_table *table)
+static int take_reply(const json_t *reply, const struct check_options *o, FILE *out,
+                      struct check_table *table)
 {
     size_t i;
     json_t *row, *text;
@@ -214,13 +95,16 @@ static int take_reply(const json_t *reply, const struct check_options *o, struct
     {
         check_table_add(table, row);
         if (o->rows)
-            row_write(stdout, json_incref(row));
+            row_write(out, json_incref(row));
     }
+    if (o->output)
+        fflush(out); /* an interrupted run leaves whole cases behind */
     progress_step();
     return json_object_get(reply, "failed") ? FAILED : json_object_get(reply, "bad") ? BAD_DATA : OK;
 }
 
-static int listen(const struct check_options *o, struct hand *hands, struct check_table *table, bool *early)
+static int listen(const struct check_options *o, struct hand *hands, FILE *out, struct check_table *table,
+                  bool *early)
 {
     char *text = NULL;
     size_t size = 0;
@@ -230,7 +114,7 @@ static int listen(const struct check_options *o, struct hand *hands, struct chec
         if (getline(&text, &size, hands[i % o->jobs].from) < 0)
             break;
         json_t *reply = json_loads(text, 0, NULL);
-        int status = reply ? take_reply(reply, o, table) : FAILED;
+        int status = reply ? take_reply(reply, o, out, table) : FAILED;
         json_decref(reply);
         if (status != OK && worst != FAILED)
             worst = status;
@@ -241,7 +125,7 @@ static int listen(const struct check_options *o, struct hand *hands, struct chec
     return worst;
 }
 
-static int check_all(const struct check_options *o, struct check_table *table)
+static int check_all(const struct check_options *o, FILE *out, struct check_table *table)
 {
     struct hand *hands = (struct hand *)calloc((size_t)o->jobs, sizeof *hands);
     bool early = true, hired = hands != NULL;
@@ -249,7 +133,7 @@ static int check_all(const struct check_options *o, struct check_table *table)
     for (; hired && count < o->jobs; count += hired)
         hired = hire(o, hands, count);
     if (hired)
-        status = listen(o, hands, table, &early);
+        status = listen(o, hands, out, table, &early);
     else
         fprintf(stderr, "fatline check: %s\n", strerror(errno));
     if (!dismiss(hands, count, early))
@@ -265,9 +149,9 @@ static long count_lines(const struct check_options *o)
     size_t size = 0;
     long count = 0;
     for (int i = 0; i < o->file_count; i++) {
-        FILE *stream = open_cases(o->files[i]);
+        FILE *stream = check_open_cases(o->files[i]);
         while (stream && getline(&text, &size, stream) >= 0)
-            count += !is_blank(text);
+            count += !check_line_is_blank(text);
         if (stream)
             fclose(stream);
     }
@@ -283,40 +167,71 @@ static bool reads_standard_input(const struct check_options *o)
     return o->file_count == 0;
 }
 
+static char *group_of(const json_t *row)
+{
+    const char *id = json_string_value(json_object_get(row, "id"));
+    return id ? check_group(json_string_value(json_object_get(row, "file")), id) : NULL;
+}
+
+/* 0, or an exit status. */
+static int open_output(int argc, char **argv, struct check_options *o, struct resume *resume)
+{
+    struct resume_rule rule = {group_of, o->algorithms.count + (o->external != NULL)};
+    memset((void *)resume, 0, sizeof *resume);
+    resume->out = stdout;
+    if (!o->rows)
+        return 0;
+    int status = resume_open(resume, o->output, o->resume, &rule, row_environment(argc, argv, REAL_NAME));
+    if (status)
+        fprintf(stderr, "fatline check: %s\n", resume->error);
+    else if (resume->done)
+        fprintf(stderr, "fatline check: resumed: %d cases are done\n", resume->done);
+    o->past = resume;
+    return status;
+}
+
 const char *argp_program_version = "fatline 0.1";
 
 int main(int argc, char **argv)
 {
     struct check_options options;
     struct check_table table;
+    struct resume output;
     struct sigaction action;
 
     check_options_read(argc, argv, &options);
     memset(&table, 0, sizeof table);
     memset(&action, 0, sizeof action);
     if (reads_standard_input(&options))
-        load_standard_input();
-    if (options.rows)
-        row_write(stdout, row_environment(argc, argv, REAL_NAME));
-    progress_set_quiet(options.quiet);
+        check_load_standard_input();
+    if (options.dry_run)
+        return check_estimate(&options, count_lines(&options));
+    int status = open_output(argc, argv, &options, &output);
+    if (status)
+        return status;
+    progress_set_quiet(options.quiet || (options.rows && !options.output && isatty(STDOUT_FILENO)));
     progress_begin("check", count_lines(&options));
     action.sa_handler = interrupt;
     action.sa_flags = SA_RESETHAND; /* the second signal ends the program at once */
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
-    int status = check_all(&options, &table);
+    status = check_all(&options, output.out, &table);
     progress_end();
 
     if (!options.rows)
         check_table_write(&table, stdout);
+    if (status == OK && !table.count && !interrupted)
+        fprintf(
+            stderr,
+            "fatline check: no case was checked: there is none in the files, or none that was asked for\n");
     if (check_table_unjudged(&table))
         fprintf(stderr, "fatline check: %ld answers unjudged for want of a truth (--truth computes it)\n",
                 check_table_unjudged(&table));
-    bool failed = check_table_failed(&table), lost = fflush(stdout) || ferror(stdout);
+    bool failed = check_table_failed(&table),
+         lost = !resume_close(&output) || fflush(stdout) || ferror(stdout);
     if (lost)
         fprintf(stderr, "fatline check: standard output cannot be written\n");
     check_table_clear(&table);
     check_options_clear(&options);
-    free(standard_input);
     return interrupted ? INTERRUPTED : lost ? FAILED : status != OK ? status : failed ? NOT_RIGHT : OK;
 }

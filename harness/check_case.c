@@ -8,7 +8,8 @@
 
 #include "answer.h"
 #include "exact.h"
-#include "judge.h"
+#include "guard.h"
+#include "judge_points.h"
 #include "problem.h"
 #include "referee.h"
 
@@ -19,11 +20,13 @@ const char *checker_open(struct checker *k, const struct check_options *o)
     k->crossings = (struct crossings *)malloc(sizeof *k->crossings);
     if (!k->crossings)
         return "out of memory";
+    guard_set_timeout(o->timeout);
     return o->external ? external_start(&k->external, o->external, o->timeout, (real)o->tolerance) : NULL;
 }
 
 void checker_close(struct checker *k)
 {
+    guard_end();
     if (k->options->external)
         external_stop(&k->external);
     if (k->n > 0)
@@ -58,6 +61,15 @@ static json_t *number_or_null(double a)
     return isfinite(a) ? json_real(a) : json_null();
 }
 
+/* The largest of the case's condition numbers; NAN: none is known. */
+static double worst_condition(const struct test_case *c)
+{
+    double cond = NAN;
+    for (int i = 0; c->expected.known && i < c->expected.count; i++)
+        cond = fmax(cond, c->expected.at[i].cond);
+    return cond;
+}
+
 static json_t *row_of(const struct test_case *c, const struct answer *a, const struct judgement *v,
                       double tol)
 {
@@ -73,6 +85,7 @@ static json_t *row_of(const struct test_case *c, const struct answer *a, const s
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
         json_object_set_new(row, counts[i].name, json_integer(counts[i].value));
     json_object_set_new(row, "max_error", number_or_null(v->max_error));
+    json_object_set_new(row, "cond", number_or_null(worst_condition(c)));
     json_object_set_new(row, "ambiguous", json_boolean(c->ambiguous));
     json_object_set_new(row, "steps", json_integer(a->steps));
     if (a->points_only)
@@ -85,7 +98,7 @@ static json_t *row_of(const struct test_case *c, const struct answer *a, const s
 static void note_failure(json_t *reply, const struct test_case *c, const struct answer *a,
                          const struct judgement *v)
 {
-    char missed[64] = "", extra[64] = "", duplicate[48] = "", merged[48] = "";
+    char missed[64] = "", extra[64] = "", duplicate[48] = "", merged[64] = "";
     if (v->missed)
         snprintf(missed, sizeof missed, ", missed %d of %d, near t = %.6g", v->missed, v->expected,
                  v->missed_t);
@@ -94,7 +107,7 @@ static void note_failure(json_t *reply, const struct test_case *c, const struct 
     if (v->duplicate)
         snprintf(duplicate, sizeof duplicate, ", %d duplicate", v->duplicate);
     if (v->merged)
-        snprintf(merged, sizeof merged, ", %d merged", v->merged);
+        snprintf(merged, sizeof merged, ", %d merged (wider than 4 tolerances)", v->merged);
     char all[256];
     snprintf(all, sizeof all, "%s%s%s%s", missed, extra, duplicate, merged);
     note(reply, "%s %s %s: %s%s", c->id, REAL_NAME, a->algorithm, all + 2,
@@ -102,10 +115,22 @@ static void note_failure(json_t *reply, const struct test_case *c, const struct 
 }
 
 static void judge_answer(json_t *reply, const struct test_case *c, const struct problem *p,
-                         const struct answer *a, double tol)
+                         const struct answer *a, double tol, double reach)
 {
-    struct judgement v = judge(c, p, a, tol);
-    json_array_append_new(json_object_get(reply, "rows"), row_of(c, a, &v, tol));
+    struct point_judgement points;
+    struct judgement v;
+    json_t *row;
+    if (reach > 0)
+        points = judge_points(c, p, a, reach);
+    v = reach > 0 ? points.found : judge(c, p, a, tol);
+    row = row_of(c, a, &v, tol);
+    if (reach > 0) {
+        json_object_set_new(row, "judged_by", json_string("points one to one"));
+        json_object_set_new(row, "points", json_integer(points.points));
+        if (points.overlap[0])
+            json_object_set_new(row, "overlap", json_string(points.overlap));
+    }
+    json_array_append_new(json_object_get(reply, "rows"), row);
     if (v.verdict == WRONG)
         note_failure(reply, c, a, &v);
 }
@@ -121,9 +146,9 @@ static void run_algorithms(struct checker *k, const struct test_case *c, const s
         const struct intersector *algorithm = k->options->algorithms.at[i];
         struct answer a = {c->id, algorithm->name,        (real)tol,   INVALID,
                            0,     algorithm->points_only, k->crossings};
-        a.outcome = problem_solve(p, algorithm, &k->workspace, k->crossings);
+        a.outcome = guard_solve(p, algorithm, &k->workspace, k->crossings);
         a.steps = k->workspace.steps;
-        judge_answer(reply, c, p, &a, tol);
+        judge_answer(reply, c, p, &a, tol, k->options->points);
     }
 }
 
@@ -136,7 +161,7 @@ static void run_external(struct checker *k, const struct test_case *c, const str
     free(line);
     if (message)
         note(reply, "%s %s %s: %s", c->id, REAL_NAME, k->external.name, message);
-    judge_answer(reply, c, p, &a, tol);
+    judge_answer(reply, c, p, &a, tol, k->options->points);
 }
 
 static void find_truth(const struct check_options *o, struct test_case *c, json_t *reply)
@@ -159,7 +184,8 @@ json_t *checker_run(struct checker *k, struct test_case *c)
 
     find_truth(k->options, c, reply);
     double tol = case_tolerance(c, k->options->tolerance);
-    const char *why_not = owned_problem_make(c, (real)tol, k->options->max_steps, &owned);
+    double asked = REAL_BITS == 53 ? tol : k->options->tolerance;
+    const char *why_not = owned_problem_make(c, (real)asked, k->options->max_steps, &owned);
     if (why_not) {
         note(reply, "%s:%d: %s", c->file, c->line_number, why_not);
         json_object_set_new(reply, "bad", json_true());

@@ -6,27 +6,55 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TOLERANCE = 256, MAX_STEPS, ROOM, ID, CLASS, SAMPLE, KEEP_GOING, TIMEOUT, ROWS, TRUTH };
+enum {
+    TOLERANCE = 256,
+    MAX_STEPS,
+    ROOM,
+    ID,
+    CLASS,
+    SAMPLE,
+    KEEP_GOING,
+    TIMEOUT,
+    ROWS,
+    TRUTH,
+    POINTS,
+    FILTER,
+    RESUME,
+    DRY_RUN
+};
 
 static const struct argp_option options[] = {
     {0, 0, 0, 0, "What is checked:", 1},
     {"class", CLASS, "NAME", 0, "only the cases of this class", 0},
     {"id", ID, "GLOB", 0, "only the cases whose id matches", 0},
+    {"filter", FILTER, "REGEX", 0, "only the cases whose id matches this extended regular expression", 0},
     {"sample", SAMPLE, "1/N", 0, "one case in N of every class, the first one always", 0},
     {"truth", TRUTH, "JUDGE", OPTION_ARG_OPTIONAL,
      "compute the truth afresh: by exact algebra (`exact`, the default) or by Krawczyk's test (`krawczyk`)",
      0},
     {"keep-going", KEEP_GOING, 0, 0, "pass over bad lines; the exit status is still 65", 0},
     {0, 0, 0, 0, "How:", 2},
-    {"algorithm", 'a', "LIST", 0, "names, globs or `all`, separated by commas; may be repeated (`all`)", 0},
+    {"algorithm", 'a', "LIST", 0,
+     "names, globs, `all` or `peers`, separated by commas; may be repeated (`all`)", 0},
     {"tolerance", TOLERANCE, "X", 0, "width asked for in both parameters (1e-9)", 0},
     {"max-steps", MAX_STEPS, "N", 0, "step limit (100000)", 0},
     {"room", ROOM, "N", 0, "cells that may wait at once (512)", 0},
     {"external", 'x', "CMD", 0, "a program that reads case lines and writes a line of `solve` for each", 0},
-    {"timeout", TIMEOUT, "S", 0, "seconds that program may take for a case (10)", 0},
+    {"timeout", TIMEOUT, "S", 0, "seconds an external program or another library may take for a case (10)",
+     0},
+    {"points", POINTS, "REACH", 0,
+     "judge answers as points, each paired with one solution within REACH in both parameters "
+     "(judge_points.h)",
+     0},
     {"jobs", 'j', "N", 0, "processes that share the work (1)", 0},
     {0, 0, 0, 0, "What is written:", 3},
     {"rows", ROWS, 0, 0, "a line of JSON for each case and algorithm instead of the table", 0},
+    {"output", 'o', "FILE", 0, "write the rows there", 0},
+    {"resume", RESUME, 0, 0,
+     "go on where the interrupted run that began FILE (--output) stopped; the status is then that of the "
+     "rest",
+     0},
+    {"dry-run", DRY_RUN, 0, 0, "say how many cases there are and about how long they would take", 0},
     {"quiet", 'q', 0, 0, "no progress", 0},
     {0, 0, 0, 0, 0, 0}};
 
@@ -35,12 +63,17 @@ static const char documentation[] =
     "Writes a table by class and algorithm; ambiguous cases have lines of their own. What went wrong is "
     "named "
     "on standard error.\v"
-    "Each case is solved and judged at the larger of the tolerance asked for and its own (expected.tol). "
+    "Each case is judged at the larger of the tolerance asked for and its own (expected.tol, which `truth` "
+    "sets to 1e-12 or more), and in double solved at that too; at the other precisions it is solved at the "
+    "tolerance asked for. "
     "The verdicts: RIGHT; WRONG (something missed, extra, duplicate or merged); STOPPED (out of steps or "
     "room "
     "with every solution still covered); NOT_TAKEN; UNJUDGED (no truth known).\n\n"
-    "Exit status: 0, 1 if something was missed or is extra in a case that is not ambiguous, 2 on an input or "
-    "output error, 64 on wrong usage, 65 on bad data, 130 when interrupted.";
+    "Merged: a group of records that hold a solution is wider than four tolerances.\n\n"
+    "Exit status: 0, 1 if something was missed or is extra in a case that is not ambiguous (duplicate and "
+    "merged do not count), 2 on an input or output error or if the external program is not there, 64 on "
+    "wrong "
+    "usage, 65 on bad data, 130 when interrupted.";
 
 static int read_count(struct argp_state *state, const char *name, const char *text)
 {
@@ -75,6 +108,9 @@ static bool parse_number(int key, const char *text, struct check_options *o, str
     case TOLERANCE:
         o->tolerance = read_positive(state, "--tolerance", text);
         return true;
+    case POINTS:
+        o->points = read_positive(state, "--points", text);
+        return true;
     case TIMEOUT:
         o->timeout = read_positive(state, "--timeout", text);
         return true;
@@ -99,13 +135,34 @@ static bool parse_number(int key, const char *text, struct check_options *o, str
 
 static bool parse_text(int key, char *argument, struct check_options *o)
 {
-    const char **text = key == ID ? &o->id : key == CLASS ? &o->class_name : key == 'x' ? &o->external : NULL;
-    bool *flag = key == KEEP_GOING ? &o->keep_going : key == ROWS ? &o->rows : key == 'q' ? &o->quiet : NULL;
+    const char **text = key == ID       ? &o->id
+                        : key == FILTER ? &o->filter
+                        : key == 'o'    ? &o->output
+                        : key == CLASS  ? &o->class_name
+                        : key == 'x'    ? &o->external
+                                        : NULL;
+    bool *flag = key == KEEP_GOING ? &o->keep_going
+                 : key == ROWS     ? &o->rows
+                 : key == RESUME   ? &o->resume
+                 : key == DRY_RUN  ? &o->dry_run
+                 : key == 'q'      ? &o->quiet
+                                   : NULL;
     if (text)
         *text = argument;
     if (flag)
         *flag = true;
     return text || flag;
+}
+
+static void finish(struct argp_state *state, struct check_options *o)
+{
+    if (!o->external && o->algorithms.count == 0)
+        algorithms_named_add(&o->algorithms, "all");
+    o->rows = o->rows || o->output;
+    if (o->resume && !o->output)
+        argp_error(state, "--resume needs --output FILE");
+    if (o->filter && regcomp(&o->regex, o->filter, REG_EXTENDED | REG_NOSUB))
+        argp_error(state, "--filter: \"%s\" is not a regular expression", o->filter);
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state)
@@ -126,8 +183,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         o->file_count = state->argc - state->next;
         return 0;
     case ARGP_KEY_END:
-        if (!o->external && o->algorithms.count == 0)
-            algorithms_named_add(&o->algorithms, "all");
+        finish(state, o);
         return 0;
     default:
         return parse_number(key, argument, o, state) || parse_text(key, argument, o) ? 0 : ARGP_ERR_UNKNOWN;
@@ -150,4 +206,6 @@ void check_options_read(int argc, char **argv, struct check_options *o)
 void check_options_clear(struct check_options *o)
 {
     algorithms_named_clear(&o->algorithms);
+    if (o->filter)
+        regfree(&o->regex);
 }

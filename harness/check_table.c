@@ -11,6 +11,7 @@ enum column {
     STOPPED_,
     NOT_TAKEN_,
     UNJUDGED_,
+    BROKEN_,
     MISSED,
     EXTRA,
     DUPLICATE,
@@ -21,11 +22,19 @@ enum column {
 
 static const struct {
     const char *title, *verdict, *field;
-} columns[TABLE_COLUMNS] = {
-    {"cases", NULL, NULL},        {"right", "RIGHT", NULL},         {"wrong", "WRONG", NULL},
-    {"stopped", "STOPPED", NULL}, {"not taken", "NOT_TAKEN", NULL}, {"unjudged", "UNJUDGED", NULL},
-    {"missed", NULL, "missed"},   {"extra", NULL, "extra"},         {"duplicate", NULL, "duplicate"},
-    {"merged", NULL, "merged"},   {"undecided", NULL, "undecided"}, {"steps", NULL, "steps"}};
+} columns[TABLE_COLUMNS] = {{"cases", NULL, NULL},
+                            {"right", "RIGHT", NULL},
+                            {"wrong", "WRONG", NULL},
+                            {"stopped", "STOPPED", NULL},
+                            {"not taken", "NOT_TAKEN", NULL},
+                            {"unjudged", "UNJUDGED", NULL},
+                            {"broken", "BROKEN", NULL},
+                            {"missed", NULL, "missed"},
+                            {"extra", NULL, "extra"},
+                            {"duplicate", NULL, "duplicate"},
+                            {"merged", NULL, "merged"},
+                            {"undecided", NULL, "undecided"},
+                            {"steps", NULL, "steps"}};
 
 static const char *text_of(const json_t *row, const char *field)
 {

@@ -20,6 +20,10 @@ struct clock_task {
     void (*run)(void *context, int first, int last);
     void *context;
     bool wall; /* wall-clock time, for work that another process does; else CPU time of this thread */
+    /* For work that is timed where it is done, not here (else NULL): nanoseconds of so many passes over all
+     * items; the shortest of so many passes for each item.  NAN: it failed. */
+    double (*timed)(void *context, int passes);
+    void (*timed_each)(void *context, int passes, int items, double *ns);
 };
 
 struct clock_plan {

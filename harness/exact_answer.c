@@ -25,17 +25,24 @@ static int compare_points(const void *a, const void *b)
     return order ? order : compare_roots(&p->s, &q->s);
 }
 
-/* Two solutions are at one place iff a chain of solutions that share t or s joins them. */
-static int distinct_points(const struct point_list *l, bool *shared)
+/* Two solutions are at one place iff they share t or s, or, where the pairs that would join them lie on an
+ * arc, by their coordinates. */
+static bool same_place(const struct exact_answer *a, const struct exact_point *p, const struct exact_point *q)
 {
+    return compare_roots(&p->t, &q->t) == 0 || compare_roots(&p->s, &q->s) == 0 ||
+           (a->same_carrier && exact_same_place(a, p, q));
+}
+
+static int distinct_points(const struct exact_answer *answer, bool *shared)
+{
+    const struct point_list *l = &answer->points;
     int *place = calloc((size_t)l->count + 1, sizeof *place), count = l->count;
     for (int i = 0; i < l->count; i++)
         place[i] = i;
     for (int i = 0; i < l->count; i++)
         for (int j = 0; j < i; j++) {
-            const struct exact_point *a = &l->at[i], *b = &l->at[j];
             int from = place[i], to = place[j];
-            if (from == to || (compare_roots(&a->t, &b->t) && compare_roots(&a->s, &b->s)))
+            if (from == to || !same_place(answer, &l->at[i], &l->at[j]))
                 continue;
             for (int k = 0; k < l->count; k++)
                 place[k] = place[k] == from ? to : place[k];
@@ -238,7 +245,7 @@ const char *exact_answer_write(struct exact_answer *a, struct test_case *c, int 
         qsort(a->points.at, (size_t)a->points.count, sizeof *a->points.at, compare_points);
     if (a->ranges.count > 0)
         qsort(a->ranges.at, (size_t)a->ranges.count, sizeof *a->ranges.at, compare_ranges);
-    int places = distinct_points(&a->points, &traits.shared);
+    int places = distinct_points(a, &traits.shared);
     for (int i = 0; i < a->points.count && !trouble; i++)
         trouble = put_point(a, c, &a->points.at[i], digits, expected);
     for (int i = 0; i < a->ranges.count && !trouble; i++)

@@ -24,6 +24,8 @@ struct exact_facts {
     double sine; /* 0: exactly parallel; NAN: a derivative vanishes, or parts of one algebraic curve */
     double cond; /* NAN unless the crossing is simple */
 };
+/* Balls of the two points touch: equal, or nearer than 2^-128 of their size. */
+bool exact_same_place(const struct exact_answer *a, const struct exact_point *p, const struct exact_point *q);
 struct exact_facts exact_facts_of(const struct exact_answer *a, const struct test_case *c,
                                   struct exact_point *p);
 

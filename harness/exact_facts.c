@@ -103,3 +103,16 @@ struct exact_facts exact_facts_of(const struct exact_answer *a, const struct tes
     arb_clear(sine);
     return r;
 }
+
+bool exact_same_place(const struct exact_answer *a, const struct exact_point *p, const struct exact_point *q)
+{
+    arb_ptr u = _arb_vec_init(4), v = _arb_vec_init(4);
+    slong work =
+        PREC_FIRST + 64 + labs(fmpz_poly_max_bits(a->pair.f.x)) + labs(fmpz_poly_max_bits(a->pair.f.y));
+    curve_balls(u, a, &a->pair.f, p->t.ball, work);
+    curve_balls(v, a, &a->pair.f, q->t.ball, work);
+    bool same = arb_overlaps(u, v) && arb_overlaps(u + 1, v + 1);
+    _arb_vec_clear(u, 4);
+    _arb_vec_clear(v, 4);
+    return same;
+}

@@ -248,16 +248,34 @@ static void name_from(const char *command, char *name, size_t size)
     snprintf(name, size, "%.*s", (int)(end - start), start);
 }
 
+/* One program and its arguments, nothing else for the shell to do. */
+static bool is_simple(const char *command)
+{
+    const char *start = command + strspn(command, " \t");
+    size_t word = strcspn(start, " \t");
+    return word > 0 && !memchr(start, '=', word) && !strpbrk(command, ";|&<>(){}`\n");
+}
+
+/* Whether the shell finds the first word of a simple command.  Words it would expand are not looked up. */
+static bool is_found(const char *command)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-";
+    char ask[600];
+    const char *start = command + strspn(command, " \t");
+    size_t word = strcspn(start, " \t");
+    if (word != strspn(start, plain) || word > 500)
+        return true;
+    snprintf(ask, sizeof ask, "command -v %.*s >/dev/null 2>&1", (int)word, start);
+    return system(ask) == 0;
+}
+
 /* A simple command takes the shell's place, so that its end is seen as it is. */
 static char *shell_text(const char *command)
 {
     size_t size = strlen(command) + sizeof "exec ";
     char *text = (char *)malloc(size);
-    const char *start = command + strspn(command, " \t");
-    size_t word = strcspn(start, " \t");
-    bool simple = word > 0 && !memchr(start, '=', word) && !strpbrk(command, ";|&<>(){}`\n");
     if (text)
-        snprintf(text, size, "%s%s", simple ? "exec " : "", command);
+        snprintf(text, size, "%s%s", is_simple(command) ? "exec " : "", command);
     return text;
 }
 
@@ -265,6 +283,8 @@ const char *external_start(struct external *e, const char *command, double timeo
 {
     memset(e, 0, sizeof *e);
     name_from(command, e->name, sizeof e->name);
+    if (is_simple(command) && !is_found(command))
+        return complain(e, "no program of this name can be run: %s", command);
     e->command = shell_text(command);
     if (!e->command)
         return complain(e, "out of memory");

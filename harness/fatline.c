@@ -17,8 +17,15 @@ static const struct command {
     {"solve", "intersect the curves of cases, or two curves of your own", false},
     {"check", "compare answers with the truth", false},
     {"time", "measure how long algorithms take", false},
+    {"trace", "write every step of an algorithm", false},
+    {"order", "measure orders of convergence", false},
+    {"lemma", "measure the exponents and constants behind hybrid clipping", false},
+    {"cost", "measure how steps grow as the tolerance falls", false},
     {"region", "where a control point may go without changing the sign of curvature", false},
+    {"doctor", "the same code against itself: how small a difference means something here", false},
+    {"compare", "two builds, or the rows of two runs: is anything slower?", false},
     {"repeat", "solve cases many times over, for profilers", false},
+    {"roots", "measure the root finders of one variable", false},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 

@@ -87,7 +87,7 @@ struct choice {
     long dx, dy; /* the second outline was moved so */
 };
 
-/* Two outlines laid on each other: mostly the same letter of two fonts, every fourth time another one, every
+/* Two outlines laid on each other: mostly the same letter of two fonts, every eighth time two letters, every
  * eighth time an outline on itself, moved by a few units. */
 static void choose_outlines(const struct library *l, uint64_t index, struct random_state *r, struct choice *c)
 {

@@ -6,7 +6,7 @@
 
 const char *verdict_name(enum verdict verdict)
 {
-    static const char *const names[] = {"RIGHT", "WRONG", "STOPPED", "NOT_TAKEN", "UNJUDGED"};
+    static const char *const names[] = {"RIGHT", "WRONG", "STOPPED", "NOT_TAKEN", "UNJUDGED", "BROKEN"};
     return names[verdict];
 }
 
@@ -44,10 +44,12 @@ static void weigh_group(struct court *q, struct group *g)
 /* Multiplicities held: at least those well inside, at most those near it. */
 static void weigh_cluster(const struct court *q, const struct record *r, int *least, int *most)
 {
+    real width = real_min(r->at.t.hi - r->at.t.lo, r->at.s.hi - r->at.s.lo),
+         inside = real_min(q->tol, width) / 8;
     *least = *most = 0;
     for (int i = 0; i < q->solutions; i++) {
         int multiplicity = q->solution[i].multiplicity;
-        if (box_contains(&r->at, q->solution[i].t, q->solution[i].s, -q->tol / 8))
+        if (box_contains(&r->at, q->solution[i].t, q->solution[i].s, -inside))
             *least += multiplicity ? multiplicity : 1;
         if (box_contains(&r->at, q->solution[i].t, q->solution[i].s, q->tol))
             *most = multiplicity && *most < WEIGHT_UNKNOWN ? *most + multiplicity : WEIGHT_UNKNOWN;
@@ -188,19 +190,24 @@ static enum verdict conclude(const struct court *q)
     return q->solved ? RIGHT : STOPPED;
 }
 
+enum verdict verdict_without(enum outcome outcome)
+{
+    return outcome == UNSUPPORTED || outcome == INVALID                       ? NOT_TAKEN
+           : outcome == GAVE_UP || outcome == CRASHED || outcome == TIMED_OUT ? BROKEN
+                                                                              : UNJUDGED;
+}
+
 struct judgement judge(const struct test_case *c, const struct problem *p, const struct answer *a, double tol)
 {
     struct court q = {c, p, a, tol, a->outcome == SOLVED};
     struct judgement *v = &q.verdict;
 
     v->missed_t = v->extra_t = v->max_error = NAN;
-    if (!c->expected.known) {
-        v->verdict = a->outcome == UNSUPPORTED || a->outcome == INVALID ? NOT_TAKEN : UNJUDGED;
+    v->verdict = verdict_without(a->outcome);
+    if (!c->expected.known)
         return q.verdict;
-    }
     v->expected = c->expected.count + c->expected.overlaps;
-    v->verdict = NOT_TAKEN;
-    if (a->outcome == UNSUPPORTED || a->outcome == INVALID)
+    if (v->verdict != UNJUDGED)
         return q.verdict;
     read_truth(&q);
     grouping_make(a, q.tol, &q.g);

@@ -31,7 +31,8 @@ enum verdict {
     WRONG,     /* missed, extra, duplicate or merged is not 0 */
     STOPPED,   /* OUT_OF_STEPS or OUT_OF_ROOM with every solution covered and nothing extra proved */
     NOT_TAKEN, /* UNSUPPORTED or INVALID */
-    UNJUDGED   /* no truth known */
+    UNJUDGED,  /* no truth known */
+    BROKEN     /* GAVE_UP, CRASHED or TIMED_OUT */
 };
 
 struct judgement {
@@ -44,6 +45,8 @@ struct judgement {
 };
 
 const char *verdict_name(enum verdict verdict); /* "RIGHT", ... */
+/* The verdict on an answer that has no records to judge, or UNJUDGED. */
+enum verdict verdict_without(enum outcome outcome);
 
 /* p: the problem as the case states it, a: its answer in the same parameters. */
 struct judgement judge(const struct test_case *c, const struct problem *p, const struct answer *a,

@@ -5,7 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../algorithms/peers/foreign.h"
 #include "algorithms_named.h"
+#include "guard.h"
 
 struct request {
     bool json;
@@ -21,9 +23,23 @@ static void order_text(double order, char text[16])
         snprintf(text, 16, "-");
 }
 
+/* Version and licence of other people's code, or why it is absent. */
+static void print_origin(const struct intersector *a, int indent)
+{
+    if (!a->foreign)
+        return;
+    if (guard_absent(a))
+        printf("%*sABSENT: %s; licence %s\n", indent, "", guard_absent(a), a->foreign->licence);
+    else
+        printf("%*sversion %s, licence %s, %s\n", indent, "", a->foreign->kind->version(a->foreign),
+               a->foreign->licence, a->foreign->kind->in_process ? "in process" : "a program over a pipe");
+}
+
 static void print_table(const struct intersector *const *a)
 {
     bool starred = false;
+    if (!a[0])
+        return;
     int width = 9;
     for (int i = 0; a[i]; i++)
         if ((int)strlen(a[i]->name) > width)
@@ -41,6 +57,7 @@ static void print_table(const struct intersector *const *a)
             printf(" %*s", k == 3 ? 5 : 4, text);
         }
         printf("  %s\n%*s%s\n", a[i]->summary, width + 25, "", a[i]->reference);
+        print_origin(a[i], width + 25);
     }
     if (starred)
         printf("%-*s* unless another is asked for\n", width, "");
@@ -49,6 +66,15 @@ static void print_table(const struct intersector *const *a)
 static json_t *order_json(double order)
 {
     return order > 0 ? json_real(order) : json_null();
+}
+
+static json_t *origin_json(const struct intersector *a)
+{
+    const char *absent = guard_absent(a);
+    return json_pack("{s:s?, s:s, s:s, s:b, s:b, s:s?}", "version",
+                     absent ? NULL : a->foreign->kind->version(a->foreign), "licence", a->foreign->licence,
+                     "needs", a->foreign->needs, "in_process", (int)a->foreign->kind->in_process, "polished",
+                     (int)a->foreign->polished, "absent", absent);
 }
 
 static void print_rows(const struct intersector *const *a)
@@ -61,6 +87,8 @@ static void print_rows(const struct intersector *const *a)
                       order_json(o->contact_2), "contact_3", order_json(o->contact_3), "cusp",
                       order_json(o->cusp), "summary", a[i]->summary, "reference", a[i]->reference, "default",
                       (int)(a[i] == intersector_default), "points_only", (int)a[i]->points_only);
+        if (a[i]->foreign)
+            json_object_set_new(row, "foreign", origin_json(a[i]));
         json_dumpf(row, stdout, JSON_COMPACT);
         putchar('\n');
         json_decref(row);
@@ -92,7 +120,7 @@ int main(int argc, char **argv)
 {
     static const struct argp_option options[] = {
         {"json", 'j', 0, 0, "a row of JSON an algorithm", 0},
-        {"algorithm", 'a', "LIST", 0, "only these: names, globs, `all`, separated by commas", 0},
+        {"algorithm", 'a', "LIST", 0, "only these: names, globs, `all`, `peers`, separated by commas", 0},
         {0, 0, 0, 0, 0, 0}};
     static const struct argp argp = {
         options,
@@ -107,11 +135,20 @@ int main(int argc, char **argv)
     struct request r = {false, {NULL, 0, NULL}};
     if (argp_parse(&argp, argc, argv, 0, NULL, &r))
         return 64;
-    const struct intersector *const *a = r.algorithms.count ? r.algorithms.at : intersectors;
-    if (r.json)
-        print_rows(a);
-    else
-        print_table(a);
+    if (r.json) {
+        print_rows(r.algorithms.count ? r.algorithms.at : intersectors);
+    } else if (r.algorithms.count) {
+        print_table(r.algorithms.at);
+    } else {
+        print_table(intersectors);
+        if (peers[0])
+            printf("\nother people's, not among `all`; `peers` names them together\n");
+        print_table(peers);
+    }
     algorithms_named_clear(&r.algorithms);
-    return fflush(stdout) || ferror(stdout) ? 2 : 0;
+    if (fflush(stdout) || ferror(stdout)) {
+        fprintf(stderr, "fatline list: standard output cannot be written\n");
+        return 2;
+    }
+    return 0;
 }

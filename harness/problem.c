@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -5,29 +6,46 @@
 #include "problem.h"
 #include "number.h"
 
+/* The nearest real; *fits becomes false if it is none, or too small for a relative error of REAL_EPSILON / 2.
+ */
+static real nearest(const mpq_t q, bool *fits)
+{
+    real a = real_from_rational(q);
+
+    if (!real_is_finite(a)) {
+        *fits = false;
+    } else if (real_abs(a) < REAL_LEAST) {
+        mpq_t back;
+        mpq_init(back);
+        real_to_rational(a, back);
+        *fits = *fits && mpq_equal(back, q);
+        mpq_clear(back);
+    }
+    return a;
+}
+
 /* c into coefficients at `memory`, of which it takes 2 (degree + 1), or 3 (degree + 1) if c is rational.
  * w X is formed exactly and rounded once. */
 static const char *curve_make(const struct case_curve *c, real *memory, struct curve *out)
 {
     int length = c->degree + 1;
     real *x = memory, *y = x + length, *w = y + length;
-    bool finite = true;
+    bool fits = true;
     mpq_t product;
 
     mpq_init(product);
     for (int i = 0; i < length; i++) {
         if (c->rational) {
-            w[i] = real_from_rational(c->w[i]);
+            w[i] = nearest(c->w[i], &fits);
             mpq_mul(product, c->w[i], c->x[i]);
-            x[i] = real_from_rational(product);
+            x[i] = nearest(product, &fits);
             mpq_mul(product, c->w[i], c->y[i]);
-            y[i] = real_from_rational(product);
-            finite = finite && w[i] > 0 && real_is_finite(w[i]);
+            y[i] = nearest(product, &fits);
+            fits = fits && w[i] > 0;
         } else {
-            x[i] = real_from_rational(c->x[i]);
-            y[i] = real_from_rational(c->y[i]);
+            x[i] = nearest(c->x[i], &fits);
+            y[i] = nearest(c->y[i], &fits);
         }
-        finite = finite && real_is_finite(x[i]) && real_is_finite(y[i]);
     }
     mpq_clear(product);
     out->degree = c->degree;
@@ -36,7 +54,7 @@ static const char *curve_make(const struct case_curve *c, real *memory, struct c
     out->w = c->rational ? w : NULL;
     out->domain.lo = real_from_rational(c->lo);
     out->domain.hi = real_from_rational(c->hi);
-    if (!finite)
+    if (!fits)
         return "coordinates: beyond the range of this precision, expected finite numbers and positive "
                "weights";
     if (!real_is_finite(out->domain.lo) || !real_is_finite(out->domain.hi) ||
@@ -61,6 +79,34 @@ static void *allocate(size_t bytes)
     return memory;
 }
 
+/* The first three digits of (t - lo) / (hi - lo). */
+static real first_digits(const mpq_t t, const struct case_curve *c)
+{
+    mpq_t u, width;
+    double digits;
+
+    mpq_inits(u, width, NULL);
+    mpq_sub(u, t, c->lo);
+    mpq_sub(width, c->hi, c->lo);
+    mpq_div(u, u, width);
+    digits = floor(1000 * mpq_get_d(u) + 0.5);
+    mpq_clears(u, width, NULL);
+    return (real)(int)digits / 1000;
+}
+
+static void tell_roots(const struct test_case *c, struct owned_problem *p)
+{
+    if (!c->expected.known || !c->expected.count)
+        return;
+    p->known = (struct known *)allocate((size_t)c->expected.count * sizeof *p->known);
+    for (int i = 0; i < c->expected.count; i++) {
+        p->known[i].t = first_digits(c->expected.at[i].t, &c->f);
+        p->known[i].s = first_digits(c->expected.at[i].s, &c->g);
+    }
+    p->problem.known = p->known;
+    p->problem.known_count = c->expected.count;
+}
+
 const char *owned_problem_make(const struct test_case *c, real tolerance, int max_steps,
                                struct owned_problem *p)
 {
@@ -68,6 +114,7 @@ const char *owned_problem_make(const struct test_case *c, real tolerance, int ma
 
     memset(&p->problem, 0, sizeof p->problem);
     p->memory = NULL;
+    p->known = NULL;
     if (c->f.degree < 1 || c->f.degree > DEGREE_MAX)
         return "f.degree: out of range, expected 1 to 32";
     if (c->g.degree < 1 || c->g.degree > DEGREE_MAX)
@@ -78,6 +125,8 @@ const char *owned_problem_make(const struct test_case *c, real tolerance, int ma
         wrong = curve_make(&c->g, p->memory + coefficients(&c->f), &p->problem.g);
     if (wrong)
         owned_problem_clear(p);
+    if (!wrong)
+        tell_roots(c, p);
     p->problem.tolerance = tolerance;
     p->problem.max_steps = max_steps;
     return wrong;
@@ -86,14 +135,16 @@ const char *owned_problem_make(const struct test_case *c, real tolerance, int ma
 void owned_problem_clear(struct owned_problem *p)
 {
     free(p->memory);
+    free(p->known);
     p->memory = NULL;
+    p->known = NULL;
 }
 
 void workspace_make(struct workspace *w, const struct intersector *const *a, int n, int m, int room)
 {
     size_t scratch = 0;
 
-    for (; *a; a++) {
+    for (; a && *a; a++) {
         if ((*a)->scratch) {
             /* problem_solve may exchange the curves */
             size_t nm = (*a)->scratch(n, m), mn = (*a)->scratch(m, n);

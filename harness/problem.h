@@ -6,10 +6,12 @@
 #include "../algorithms/bezier.h"
 #include "case.h"
 
-/* A problem and the memory of its coefficients. */
+/* A problem and the memory of its coefficients, and of what the yardstick is told of the roots, if they are
+ * known. */
 struct owned_problem {
     struct problem problem;
     real *memory;
+    struct known *known;
 };
 
 /* NULL, or why the case is not a problem in this precision (p then holds no memory): every coefficient x, y,
@@ -18,8 +20,9 @@ const char *owned_problem_make(const struct test_case *c, real tolerance, int ma
                                struct owned_problem *p);
 void owned_problem_clear(struct owned_problem *p);
 
-/* A workspace large enough for every algorithm in `a` (NULL-terminated) up to degrees n, m; malloc.  Room:
- * the workspace's own (WORKSPACE_ROOM if in doubt).  Without memory the program ends with status 2. */
+/* A workspace large enough for every algorithm in `a` (NULL-terminated; NULL: none) up to degrees n, m;
+ * malloc.  Room: the workspace's own (WORKSPACE_ROOM if in doubt).  Without memory the program ends with
+ * status 2. */
 void workspace_make(struct workspace *w, const struct intersector *const *a, int n, int m, int room);
 void workspace_clear(struct workspace *w);
 

@@ -1,14 +1,14 @@
 /* Branch and bound over [0, 1]^2.  A cell is dropped only when doubles with error bounds separate its two
- * pieces (anchored.h), when it lies in the domain of a root found before, or when Krawczyk's test in
- * binary128 decides it (krawczyk.h); else it is halved.  So on success every solution is among the roots,
- * each proved to exist and to be the only one in its domain. */
+ * pieces (referee_cells.h), when it lies in the domain of a root found before, or when Krawczyk's test in
+ * binary128 decides it (referee_krawczyk.h); else it is halved.  So on success every solution is among the
+ * roots, each proved to exist and to be the only one in its domain. */
 #include "referee.h"
 
 #include <quadmath.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "anchored.h"
+#include "referee_cells.h"
 #include "case_fields.h"
 #include "referee_pair.h"
 #include "referee_truth.h"

@@ -3,7 +3,7 @@
 #define FATLINE_REFEREE_PAIR_H
 
 #include "case.h"
-#include "krawczyk.h"
+#include "referee_krawczyk.h"
 
 /* Homogeneous coefficients x, y, w: at[k * (degree + 1) + i]. */
 struct referee_curve {

@@ -99,8 +99,8 @@ static bool is_zero(const struct referee_pair *p, const mpq_t t, const mpq_t s)
 /* ---- the last digits ---------------------------------------------------------------------------------- */
 
 /* Simplified Newton's method with the inverse in doubles gains 50 bits a step; the distance to the root is
- * bounded by the contraction proved (krawczyk.h).  Returns false if the bound is not below 10^-40 in both
- * parameters. */
+ * bounded by the contraction proved (referee_krawczyk.h).  Returns false if the bound is not below 10^-40 in
+ * both parameters. */
 static bool polish(const struct referee_pair *p, const struct quad_root *root, mpq_t z[2], mpq_t radius[2])
 {
     mpf_t x[2];

@@ -18,12 +18,14 @@ static const char documentation[] =
     "Exit "
     "status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data.";
 
-enum { TIMES = 256, TOLERANCE, MAX_STEPS };
+enum { TIMES = 256, TOLERANCE, MAX_STEPS, OWN_TOLERANCE };
 
 static const struct argp_option options[] = {
     {"algorithm", 'a', "NAME", 0, "which algorithm (needed)", 0},
     {"times", TIMES, "K", 0, "passes over the cases (1)", 0},
     {"tolerance", TOLERANCE, "X", 0, "width asked for in both parameters (1e-12)", 0},
+    {"own-tolerance", OWN_TOLERANCE, 0, 0, "each case at the number in its field `tolerance`, if it has one",
+     0},
     {"max-steps", MAX_STEPS, "N", 0, "step limit (100000)", 0},
     {0, 0, 0, 0, 0, 0}};
 
@@ -32,6 +34,7 @@ struct settings {
     const char *file;
     int times, max_steps;
     real tolerance;
+    bool own_tolerance;
 };
 
 static int count(struct argp_state *state, const char *name, const char *text)
@@ -60,6 +63,9 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case TOLERANCE:
         if (!real_parse(text, &s->tolerance) || !(s->tolerance > 0))
             argp_error(state, "--tolerance: '%s' is not a positive number", text);
+        return 0;
+    case OWN_TOLERANCE:
+        s->own_tolerance = true;
         return 0;
     case MAX_STEPS:
         s->max_steps = count(state, "max-steps", text);
@@ -114,6 +120,11 @@ int main(int argc, char **argv)
     s.tolerance = (real)1 / 1000000000000LL;
     argp_parse(&parser, argc, argv, 0, NULL, &s);
     status = case_set_read(&set, s.file, s.tolerance, s.max_steps);
+    for (int i = 0; s.own_tolerance && i < set.count; i++) {
+        const json_t *own = json_object_get(set.at[i].c.line, "tolerance");
+        if (json_is_number(own))
+            set.at[i].owned.problem.tolerance = (real)json_number_value(own);
+    }
     if (!status && set.count)
         status = repeat(&s, &set);
     case_set_clear(&set);

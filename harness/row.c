@@ -1,5 +1,7 @@
 #include "row.h"
 
+#include "json_text.h"
+
 #include <gmp.h>
 #include <gnu/libc-version.h>
 #include <mpfr.h>
@@ -163,9 +165,15 @@ json_t *row_environment(int argc, char **argv, const char *precision)
     return row;
 }
 
+static char id[64];
+
+void row_continue_run(const char *other)
+{
+    snprintf(id, sizeof id, "%s", other ? other : "");
+}
+
 const char *row_run_id(void)
 {
-    static char id[64];
     if (!id[0]) {
         unsigned bits = 0;
         time_t now = time(NULL);
@@ -181,7 +189,7 @@ const char *row_run_id(void)
 void row_write(FILE *stream, json_t *row)
 {
     json_object_set_new(row, "run", json_string(row_run_id()));
-    json_dumpf(row, stream, JSON_COMPACT);
+    json_text_write(stream, row);
     fputc('\n', stream);
     json_decref(row);
 }

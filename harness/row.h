@@ -17,6 +17,8 @@ enum { ROW_SCHEMA = 1 };
  * time. */
 json_t *row_environment(int argc, char **argv, const char *precision);
 const char *row_run_id(void); /* of this process; every row carries it as "run" */
+void row_continue_run(
+    const char *id); /* from here on this is the id: rows go on that another process began */
 /* Writes `row` (stolen) on one line with "run" added. */
 void row_write(FILE *stream, json_t *row);
 

@@ -15,6 +15,7 @@
 #include "case.h"
 #include "external.h"
 #include "problem.h"
+#include "guard.h"
 #include "progress.h"
 #include "solve_options.h"
 
@@ -80,7 +81,7 @@ static void solve_by(struct solver *s, const struct test_case *c, const struct p
     struct answer a = {c->id, algorithm->name,        s->options->tolerance, INVALID,
                        0,     algorithm->points_only, s->crossings};
     fit_workspace(s, p->f.degree, p->g.degree);
-    a.outcome = problem_solve(p, algorithm, &s->workspace, s->crossings);
+    a.outcome = guard_solve(p, algorithm, &s->workspace, s->crossings);
     a.steps = s->workspace.steps;
     write_answer(s, &a, p, NULL);
 }
@@ -155,6 +156,8 @@ static int solve_file(struct solver *s, const char *path)
         return FAILED;
     }
     int result = solve_stream(s, stream, path);
+    if (ferror(stream))
+        result = FAILED;
     fclose(stream);
     return result;
 }
@@ -207,7 +210,7 @@ static int open_all(struct solver *s, const struct solve_options *o)
     const char *error =
         o->external ? external_start(&s->external, o->external, o->timeout, o->tolerance) : NULL;
     if (error)
-        fprintf(stderr, "%s\n", error);
+        fprintf(stderr, "fatline solve: %s\n", error);
     return error ? FAILED : OK;
 }
 
@@ -221,6 +224,7 @@ static int close_all(struct solver *s)
                 s->options->output ? s->options->output : "standard output");
     if (s->options->external)
         external_stop(&s->external);
+    guard_end();
     if (s->n > 0)
         workspace_clear(&s->workspace);
     free(s->crossings);

@@ -22,11 +22,12 @@ static const struct argp_option options[] = {
     {0, 0, 0, 0, "How:", 2},
     {"algorithm", 'a', "LIST", 0,
      "names, globs or `all`, separated by commas; may be repeated (that with * in `fatline list`)", 0},
-    {"tolerance", TOLERANCE, "X", 0, "width asked for in both parameters (1e-12)", 0},
+    {"tolerance", TOLERANCE, "X", 0,
+     "width asked for in both parameters (1e-12); what the precision cannot tell apart stays wider", 0},
     {"max-steps", MAX_STEPS, "N", 0, "step limit (100000)", 0},
     {"room", ROOM, "N", 0, "cells that may wait at once (512)", 0},
     {"external", 'x', "CMD", 0, "a program that reads case lines and writes a line of `solve` for each", 0},
-    {"timeout", TIMEOUT, "S", 0, "seconds that program may take for a case (10)", 0},
+    {"timeout", TIMEOUT, "S", 0, "seconds an external program may take for a case (10)", 0},
     {0, 0, 0, 0, "What is written:", 3},
     {"output", 'o', "FILE", 0, "instead of standard output", 0},
     {"human", HUMAN, 0, 0, "tables for people; so also -f and -g on a terminal", 0},
@@ -39,19 +40,21 @@ static const char documentation[] =
     "line of JSON for each case and algorithm.\v"
     "Example: fatline solve -f \"0,0 1,2 2,0\" -g \"0,1 1,-1 2,1\"\n\n"
     "A coordinate is a decimal, a fraction a/b, a C hex float, or a decimal with a trailing f (rounded to "
-    "float32).\n\n"
+    "float32). In what is written, numbers are decimals in double and C hex floats in quad and multi, so "
+    "that "
+    "nothing is lost; --human has decimals.\n\n"
     "The external program finds the tolerance in FATLINE_TOLERANCE. Where it is late, ends, or writes "
     "something "
     "else, the outcome is INVALID with a message, and it is started anew for the next case.\n\n"
-    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data, 130 when interrupted.";
+    "Exit status: 0, 2 on an input or output error or if the external program is not there, 64 on wrong "
+    "usage, 65 on bad data, 130 when interrupted.";
 
 static int read_count(struct argp_state *state, const char *name, const char *text)
 {
     char *end;
     long n = strtol(text, &end, 10);
     if (end == text || *end || n < 1 || n > INT_MAX)
-        argp_error(state, "%s: \"%s\" is no number of things, expected an integer from 1 to %d", name, text,
-                   INT_MAX);
+        argp_error(state, "%s: \"%s\", expected an integer from 1 to %d", name, text, INT_MAX);
     return (int)n;
 }
 

@@ -53,6 +53,31 @@ double statistics_median(int n, const double *x)
     return median;
 }
 
+double statistics_quantile(int n, const double *x, double q)
+{
+    double *sorted = sorted_copy(n, x), at = q * (n - 1), value;
+    int below = (int)at, above = below < n - 1 ? below + 1 : below;
+
+    value = sorted[below] + (at - below) * (sorted[above] - sorted[below]);
+    free(sorted);
+    return value;
+}
+
+struct outliers statistics_outliers(int n, const double *x)
+{
+    double lower = statistics_quantile(n, x, 0.25), upper = statistics_quantile(n, x, 0.75),
+           spread = upper - lower;
+    struct outliers found = {0, 0};
+
+    for (int i = 0; i < n; i++) {
+        double beyond = fmax(lower - x[i], x[i] - upper);
+
+        found.severe += beyond > 3 * spread;
+        found.mild += beyond > 1.5 * spread && beyond <= 3 * spread;
+    }
+    return found;
+}
+
 double statistics_mad(int n, const double *x)
 {
     double median = statistics_median(n, x), *away = allocate(n, sizeof *away), mad;

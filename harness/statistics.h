@@ -21,6 +21,16 @@ double statistics_median(int n, const double *x);
 /* Median of |x[i] - median|, unscaled (times 1.4826 it estimates the standard deviation of normal data). */
 double statistics_mad(int n, const double *x);
 
+/* Quantile q in [0, 1], linear between the order statistics. */
+double statistics_quantile(int n, const double *x, double q);
+
+/* Beyond the quartiles by more than 1.5 (mild) or 3 (severe) times their distance (Tukey, Exploratory Data
+ * Analysis, 1977); a severe one is not mild. */
+struct outliers {
+    int mild, severe;
+};
+struct outliers statistics_outliers(int n, const double *x);
+
 /* Percentile bootstrap interval of the median at `level` (0.95) from STATISTICS_RESAMPLES resamples with
  * replacement (Efron and Tibshirani, An Introduction to the Bootstrap, 1993, chapter 13).  It never reaches
  * beyond the smallest and largest sample; the same seed gives the same interval. */

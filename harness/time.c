@@ -1,14 +1,18 @@
 /* `fatline time`: how long each algorithm takes on the pairs that all of them get right. */
 #include <argp.h>
 #include <errno.h>
+#include <regex.h>
 #include <sched.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "guard.h"
+#include "instructions.h"
+#include "noise.h"
 #include "progress.h"
+#include "resume.h"
 #include "row.h"
-#include "time_options.h"
-#include "timing_rows.h"
+#include "time_family.h"
 
 const char *argp_program_version = "fatline 0.1";
 
@@ -51,42 +55,34 @@ static bool seen_before(char *const *name, int i)
     return false;
 }
 
-/* Number of contenders timed on the family. */
-static int time_family(const char *family, int pairs, const struct loaded_case **at, int n,
-                       const struct contender *contender, const struct time_settings *s,
-                       struct timing_memory *memory, int baseline)
+static struct family family_of(const struct time_settings *s, const char *name, int pairs,
+                               const struct loaded_case **at, struct timing_memory *memory, int n,
+                               const struct contender *contender, int baseline)
 {
-    struct timing *timing = (struct timing *)calloc(n, sizeof *timing);
-    int left_out, timed = 0;
+    struct family f;
 
-    if (!timing)
-        exit(2);
-    timing_run(pairs, at, n, contender, &s->plan, memory, timing, &left_out);
-    for (int k = 0; k < n; k++) {
-        timed += timing[k].pairs > 0;
-        if (!timing[k].pairs && left_out < pairs && !s->human)
-            progress_note("%s: %s %s: not timed: %s", family, contender[k].name, REAL_NAME,
-                          timing[k].why_not);
-    }
-    if (left_out == pairs)
-        progress_note("%s: not timed: no pair has a known answer (see `fatline truth`, or --unchecked)",
-                      family);
-    else if (s->human)
-        timing_table_write(stdout, family, pairs, left_out, n, contender, timing, &s->plan, baseline);
-    else
-        timing_rows_write(stdout, family, pairs, left_out, n, contender, timing, &s->plan, baseline);
-    for (int k = 0; k < n; k++)
-        timing_clear(&timing[k]);
-    free(timing);
-    return timed;
+    memset((void *)&f, 0, sizeof f);
+    f.settings = s;
+    f.at = at;
+    f.memory = memory;
+    f.report.family = name;
+    f.report.pairs = pairs;
+    f.report.contenders = n;
+    f.report.contender = contender;
+    f.report.baseline = baseline;
+    f.report.limit = s->no_floor ? -1 : n - 1;
+    f.report.single = s->single;
+    return f;
 }
 
-static int time_families(const struct case_set *set, int n, const struct contender *contender,
-                         const struct time_settings *s, struct timing_memory *memory, int baseline)
+static int time_families(const struct case_set *set, int n, struct contender *contender,
+                         const struct time_settings *s, struct timing_memory *memory, int baseline,
+                         const struct resume *resume)
 {
     const struct loaded_case **at = (const struct loaded_case **)calloc(set->count + 1, sizeof *at);
     char **name = (char **)calloc(set->count + 1, sizeof *name);
-    int families = 0, timed = 0;
+    int families = 0, timed = resume->done;
+    double seconds = 0;
 
     if (!at || !name)
         exit(2);
@@ -94,14 +90,31 @@ static int time_families(const struct case_set *set, int n, const struct contend
         name[i] = family_name(&set->at[i], s->family_by);
         families += !seen_before(name, i);
     }
-    progress_begin("time", families);
+    if (resume->done)
+        progress_note("resumed: %d families are done, %d left", resume->done, families - resume->done);
+    if (!s->dry_run)
+        progress_begin("time", families - resume->done);
     for (int i = 0; i < set->count; i++) {
-        if (seen_before(name, i))
+        struct family f;
+
+        if (seen_before(name, i) || resume_has(resume, name[i]))
             continue;
-        timed += time_family(name[i], gather(set, name, i, at), at, n, contender, s, memory, baseline);
+        f = family_of(s, name[i], gather(set, name, i, at), at, memory, n, contender, baseline);
+        if (s->dry_run) {
+            double cost = time_family_estimate(&f);
+
+            printf("%-32s %6d pairs %8.1f s\n", name[i], f.report.pairs, cost);
+            seconds += cost;
+            timed = 1;
+            continue;
+        }
+        timed += time_family_run(&f, contender, resume->out);
         progress_step();
     }
-    progress_end();
+    if (s->dry_run)
+        printf("%d families, %d algorithms: about %.0f s\n", families - resume->done, n, seconds);
+    else
+        progress_end();
     for (int i = 0; i < set->count; i++)
         free(name[i]);
     free(name);
@@ -134,11 +147,16 @@ static void line_up(const struct time_settings *s, struct external *external, st
         const char *error = external_start(&external[i], s->external[i], s->timeout, s->plan.tolerance);
 
         if (error) {
-            fprintf(stderr, "fatline: %s: %s\n", s->external[i], error);
+            fprintf(stderr, "fatline time: %s\n", error);
             exit(2);
         }
         contender[n].name = external[i].name;
         contender[n].external = &external[i];
+    }
+    if (!s->no_floor) {
+        contender[n].name = intersector_floor->name;
+        contender[n].algorithm = intersector_floor;
+        contender[n].limit = true;
     }
 }
 
@@ -153,9 +171,9 @@ static void relax(struct case_set *set)
 
 static const struct intersector *const nobody[] = {NULL};
 
-static int run(const struct time_settings *s, const struct case_set *set)
+static int run(const struct time_settings *s, const struct case_set *set, const struct resume *resume)
 {
-    int n = s->algorithms.count + s->externals, baseline = -1, timed;
+    int n = s->algorithms.count + s->externals + !s->no_floor, baseline = -1, timed;
     struct external *external = (struct external *)calloc(s->externals + 1, sizeof *external);
     struct contender *contender = (struct contender *)calloc(n, sizeof *contender);
     struct timing_memory memory;
@@ -169,7 +187,7 @@ static int run(const struct time_settings *s, const struct case_set *set)
             baseline = k;
     workspace_make(&memory.workspace, s->algorithms.count ? s->algorithms.at : nobody, set->degree_f,
                    set->degree_g, WORKSPACE_ROOM);
-    timed = time_families(set, n, contender, s, &memory, baseline);
+    timed = time_families(set, n, contender, s, &memory, baseline, resume);
     workspace_clear(&memory.workspace);
     for (int i = 0; i < s->externals; i++)
         external_stop(&external[i]);
@@ -179,6 +197,71 @@ static int run(const struct time_settings *s, const struct case_set *set)
     return timed > 0 ? 0 : 1;
 }
 
+/* Drops the cases whose id does not match.  False, and a message, if the expression is none. */
+static bool keep_matching(struct case_set *set, const char *expression)
+{
+    regex_t regex;
+    char why[200];
+    int kept = 0, wrong = regcomp(&regex, expression, REG_EXTENDED | REG_NOSUB);
+
+    if (wrong) {
+        regerror(wrong, &regex, why, sizeof why);
+        fprintf(stderr, "fatline time: --filter: '%s': %s\n", expression, why);
+        return false;
+    }
+    for (int i = 0; i < set->count; i++) {
+        struct loaded_case drop = set->at[i];
+
+        if (!regexec(&regex, drop.c.id, 0, NULL, 0)) {
+            set->at[i] = set->at[kept];
+            set->at[kept++] = drop;
+        }
+    }
+    regfree(&regex);
+    case_set_shorten(set, kept);
+    return true;
+}
+
+/* Of rows as they come: the family. */
+static char *group_of(const json_t *row)
+{
+    const char *family = json_string_value(json_object_get(row, "family"));
+
+    return family ? strdup(family) : NULL;
+}
+
+/* Rows, or a table; what disturbed the clock is said at the end. */
+static int measure(int argc, char **argv, const struct time_settings *s, const struct case_set *set)
+{
+    struct resume_rule rule = {group_of, s->algorithms.count + s->externals + !s->no_floor};
+    struct resume resume;
+    struct noise noise;
+    int status = 0;
+
+    memset((void *)&resume, 0, sizeof resume);
+    resume.out = stdout;
+    noise_begin(&noise);
+    if (!s->human && !s->dry_run) {
+        json_t *environment = row_environment(argc, argv, REAL_NAME);
+
+        json_object_set_new(json_object_get(environment, "environment"), "seed",
+                            json_integer((json_int_t)s->plan.clock.seed));
+        noise_floor_note(environment);
+        status = resume_open(&resume, s->output, s->resume, &rule, environment);
+        if (status)
+            fprintf(stderr, "fatline time: %s\n", resume.error);
+    }
+    if (!status)
+        status = run(s, set, &resume);
+    if (!resume_close(&resume) && status != 64 && status != 65) {
+        fprintf(stderr, "fatline time: writing the rows: %s\n", strerror(errno));
+        status = 2;
+    }
+    if (!s->dry_run)
+        noise_warn(&noise, stderr);
+    return status;
+}
+
 int main(int argc, char **argv)
 {
     struct case_set set = {0, 0, NULL, 0, NULL, 0, 0};
@@ -186,25 +269,30 @@ int main(int argc, char **argv)
     int status = 0;
 
     time_settings_read(argc, argv, &s);
+    guard_set_timeout(s.timeout);
     if (s.cpu >= 0)
         pin(s.cpu);
+    if (s.count_instructions && instructions_missing()) {
+        fprintf(stderr, "fatline time: --count instructions: %s\n", instructions_missing());
+        status = 2;
+    }
     for (int i = 0; i < s.files && status != 2; i++) {
         int wrong = case_set_read(&set, s.file[i], s.plan.tolerance, s.max_steps);
 
         status = wrong ? wrong : status;
     }
+    if (!status && s.filter && !keep_matching(&set, s.filter))
+        status = 64;
     if (!status && !set.count) {
         fprintf(stderr, "fatline time: no cases\n");
         status = 65;
     }
     if (!status) {
         relax(&set);
-        if (!s.human)
-            row_write(stdout, row_environment(argc, argv, REAL_NAME));
-        status = run(&s, &set);
+        status = measure(argc, argv, &s, &set);
     }
     if (fflush(stdout) || ferror(stdout)) {
-        fprintf(stderr, "fatline time: writing the rows: %s\n", strerror(errno));
+        fprintf(stderr, "fatline time: standard output: %s\n", strerror(errno));
         status = 2;
     }
     case_set_clear(&set);

@@ -21,22 +21,60 @@ static const char documentation[] =
     "(CPU time). In each round every algorithm gives one sample, in an order drawn anew, so that "
     "ratios are taken between neighbours in time. ns_min, ns_median and ns_mad (median absolute "
     "deviation, unscaled) are over samples, ns_lo and ns_hi bound a 95 percent bootstrap interval "
-    "of the median; ns_max is the shortest time of the slowest single pair, worst_id. External "
+    "of the median; ns_max is the shortest time of the slowest single pair, worst_id, by the wall clock. "
+    "External "
     "programs are timed in wall-clock time around their pipe, one line after the other (protocol "
-    "\"pipe\"); no ratio is taken between the two protocols.\n\n"
+    "\"pipe\"); no ratio is taken between that and the others. Other people's libraries that are "
+    "programs of their own time themselves over the whole set, in the same rounds (protocol "
+    "\"inside\").\n\n"
+    "`floor` takes part in every family: told the first three digits of each root, it merely takes "
+    "Newton steps; the column \"from floor\" is how many times as long the others take.\n\n"
+    "Each family is timed in a process of its own. Whoever crashes or hangs there is left out, and "
+    "the family is timed again without it.\n\n"
     "The branch predictor learns a set of few pairs by heart: compare times of sets of similar "
     "size.\n\n"
     "Rows are JSON, one a line, after one line on the circumstances; on a terminal, or with "
     "--human, a table. Exit status: 0, 1 if nothing could be timed, 2 on an input or output "
     "error, 64 on wrong usage, 65 on bad data.";
 
-enum { TOLERANCE = 256, MAX_STEPS, ROUNDS, SECONDS, PIN, FAMILY_BY, UNCHECKED, HUMAN, ROWS, SEED, TIMEOUT };
+enum {
+    TOLERANCE = 256,
+    MAX_STEPS,
+    ROUNDS,
+    SECONDS,
+    PIN,
+    FAMILY_BY,
+    UNCHECKED,
+    HUMAN,
+    ROWS,
+    SEED,
+    TIMEOUT,
+    POINTS,
+    FORGIVE,
+    SINGLE,
+    RESUME,
+    FILTER,
+    DRY_RUN,
+    COUNT,
+    NO_FLOOR
+};
 
 static const struct argp_option options[] = {
-    {"algorithm", 'a', "LIST", 0, "names or globs, separated by commas, or `all` (the default)", 0},
+    {"algorithm", 'a', "LIST", 0, "names or globs, separated by commas, `peers`, or `all` (the default)", 0},
     {"baseline", 'b', "NAME", 0, "give ratios to this algorithm, from the same rounds", 0},
     {"external", 'x', "CMD", 0, "also time a program that reads case lines and writes `solve` lines", 0},
-    {"timeout", TIMEOUT, "S", 0, "seconds an external program may take for a pair (10)", 0},
+    {"timeout", TIMEOUT, "S", 0, "seconds an external program or another library may take for a pair (10)",
+     0},
+    {"points", POINTS, "REACH", 0,
+     "judge answers as points, each paired with one solution within REACH in both parameters", 0},
+    {"forgive", FORGIVE, 0, 0, "time who misses roots too, on the pairs that it gets right", 0},
+    {"single", SINGLE, 0, 0, "time each pair by itself, as a family of its own (protocol \"single\")", 0},
+    {"count", COUNT, "WHAT", 0, "count `instructions` too, with valgrind, on 24 of the pairs", 0},
+    {"no-floor", NO_FLOOR, 0, 0, "without the yardstick", 0},
+    {"filter", FILTER, "REGEX", 0, "only the cases whose id matches this extended regular expression", 0},
+    {"dry-run", DRY_RUN, 0, 0, "say what would be timed and about how long it would take", 0},
+    {"output", 'o', "FILE", 0, "write there instead of to standard output", 0},
+    {"resume", RESUME, 0, 0, "go on where the interrupted run that began FILE (--output) stopped", 0},
     {"tolerance", TOLERANCE, "X", 0,
      "width asked for in both parameters (1e-12); in double each pair is solved at the larger of this and "
      "its own",
@@ -48,7 +86,10 @@ static const struct argp_option options[] = {
      "need be",
      0},
     {"seed", SEED, "N", 0, "of the order within the rounds and of the bootstrap (1)", 0},
-    {"pin", PIN, "CPU", 0, "run on this processor only; `none` (the default): wherever the system likes", 0},
+    {"pin", PIN, "CPU", 0,
+     "run on this processor only; `auto`: on the last one allowed; `none` (the default): wherever the system "
+     "likes",
+     0},
     {"family-by", FAMILY_BY, "WHAT", 0,
      "what makes a family: `file` (the default), `class`, or any text field of the case lines", 0},
     {"unchecked", UNCHECKED, 0, 0, "time whatever was SOLVED, right or wrong or not known", 0},
@@ -83,6 +124,19 @@ static int count_in(struct argp_state *state, const char *name, const char *text
     return (int)value;
 }
 
+/* The last processor that this process may run on. */
+static int last_cpu(void)
+{
+    cpu_set_t cpus;
+    int last = 0;
+
+    if (!sched_getaffinity(0, sizeof cpus, &cpus))
+        for (int i = 0; i < CPU_SETSIZE; i++)
+            if (CPU_ISSET(i, &cpus))
+                last = i;
+    return last;
+}
+
 static void add_algorithms(struct argp_state *state, struct time_settings *s, const char *list)
 {
     const char *error = algorithms_named_add(&s->algorithms, list);
@@ -97,6 +151,8 @@ static void finish(struct argp_state *state, struct time_settings *s)
         add_algorithms(state, s, "all");
     if (s->baseline)
         add_algorithms(state, s, s->baseline);
+    if (s->resume && !s->output)
+        argp_error(state, "--resume needs --output FILE");
     if (!s->files)
         push(&s->file, &s->files, (char *)"-");
 }
@@ -134,14 +190,44 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case SEED:
         s->plan.clock.seed = (uint64_t)count_in(state, "seed", text, 0, 2147483647);
         return 0;
+    case 'o':
+        s->output = text;
+        s->human = false;
+        return 0;
+    case FILTER:
+        s->filter = text;
+        return 0;
+    case POINTS:
+        s->plan.points = number_in(state, "points", text, 1e-15, 1);
+        return 0;
+    case COUNT:
+        if (strcmp(text, "instructions"))
+            argp_error(state, "--count: '%s', expected instructions", text);
+        s->count_instructions = true;
+        return 0;
     case PIN:
-        s->cpu = strcmp(text, "none") ? count_in(state, "pin", text, 0, CPU_SETSIZE - 1) : -1;
+        s->cpu = !strcmp(text, "auto")  ? last_cpu()
+                 : strcmp(text, "none") ? count_in(state, "pin", text, 0, CPU_SETSIZE - 1)
+                                        : -1;
         return 0;
     case FAMILY_BY:
         s->family_by = text;
         return 0;
     case UNCHECKED:
         s->plan.unchecked = true;
+        return 0;
+    case SINGLE:
+        s->single = true;
+        s->family_by = "id";
+        return 0;
+    case FORGIVE:
+    case RESUME:
+    case DRY_RUN:
+    case NO_FLOOR:
+        *(key == FORGIVE   ? &s->plan.forgive
+          : key == RESUME  ? &s->resume
+          : key == DRY_RUN ? &s->dry_run
+                           : &s->no_floor) = true;
         return 0;
     case HUMAN:
     case ROWS:
@@ -162,7 +248,7 @@ static const struct argp parser = {options, parse, "FILE...", documentation, NUL
 
 void time_settings_read(int argc, char **argv, struct time_settings *s)
 {
-    memset(s, 0, sizeof *s);
+    memset((void *)s, 0, sizeof *s);
     s->family_by = "file";
     s->plan.tolerance = (real)1 / 1000000000000LL;
     s->plan.clock.rounds = 51;

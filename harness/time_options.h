@@ -12,9 +12,10 @@ struct time_settings {
     const char *baseline;    /* NULL: none */
     const char *family_by;
     struct timing_plan plan;
-    int max_steps, cpu; /* cpu -1: none */
+    const char *output, *filter; /* NULL: standard output; all cases */
+    int max_steps, cpu;          /* cpu -1: none */
     double timeout;
-    bool human;
+    bool human, single, resume, dry_run, count_instructions, no_floor;
 };
 
 /* On wrong usage it says so and exits with status 64. */

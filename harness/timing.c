@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "judge.h"
+#include "judge_points.h"
+#include "timing_work.h"
 
 enum {
     EACH_PASSES = 5,
@@ -15,18 +16,7 @@ enum {
 };
 
 /* What a contender made of a pair. */
-enum result { GOOD, MISSING, OTHERWISE_WRONG, EARLY, REFUSED };
-
-/* One contender at work on pairs at[index[0..]]. */
-struct work {
-    const struct contender *contender;
-    const struct loaded_case *const *at;
-    const int *index;
-    struct timing_memory *memory;
-    long steps;
-    int failures; /* of an external program */
-    char failure[100];
-};
+enum result { GOOD, MISSING, OTHERWISE_WRONG, EARLY, REFUSED, BROKE };
 
 /* Judged pairs x contenders. */
 struct results {
@@ -48,56 +38,21 @@ static void *allocate(size_t n, size_t size)
     return memory;
 }
 
-static struct answer ask(struct work *w, const struct loaded_case *pair)
-{
-    struct answer a;
-    const struct intersector *algorithm = w->contender->algorithm;
-
-    memset(&a, 0, sizeof a);
-    a.crossings = w->memory->crossings;
-    if (!algorithm) {
-        const char *error = external_ask(w->contender->external, pair->c.id, pair->line, &a);
-
-        if (error && !w->failures++)
-            snprintf(w->failure, sizeof w->failure, "; %s: %s", pair->c.id, error);
-        return a;
-    }
-    a.id = pair->c.id;
-    a.algorithm = algorithm->name;
-    a.tolerance = pair->owned.problem.tolerance;
-    a.points_only = algorithm->points_only;
-    a.outcome = problem_solve(&pair->owned.problem, algorithm, &w->memory->workspace, a.crossings);
-    a.steps = w->memory->workspace.steps;
-    return a;
-}
-
-/* What is timed. */
-static void solve_pairs(void *context, int first, int last)
-{
-    struct work *w = (struct work *)context;
-    const struct intersector *algorithm = w->contender->algorithm;
-
-    for (int i = first; i < last; i++) {
-        const struct loaded_case *pair = w->at[w->index[i]];
-
-        if (algorithm)
-            problem_solve(&pair->owned.problem, algorithm, &w->memory->workspace, w->memory->crossings);
-        else
-            ask(w, pair);
-        clock_keep(w->memory->crossings);
-    }
-}
-
 static enum result rate(const struct loaded_case *pair, const struct answer *a,
                         const struct timing_plan *plan)
 {
     struct judgement j;
+    enum verdict without = verdict_without(a->outcome);
 
-    if (a->outcome == UNSUPPORTED || a->outcome == INVALID)
-        return REFUSED;
+    if (without != UNJUDGED)
+        return without == BROKEN ? BROKE : REFUSED;
     if (plan->unchecked)
         return a->outcome == SOLVED ? GOOD : EARLY;
-    j = judge(&pair->c, &pair->owned.problem, a, case_tolerance(&pair->c, real_to_double(plan->tolerance)));
+    if (plan->points > 0)
+        j = judge_points(&pair->c, &pair->owned.problem, a, plan->points).found;
+    else
+        j = judge(&pair->c, &pair->owned.problem, a,
+                  case_tolerance(&pair->c, real_to_double(plan->tolerance)));
     if (j.missed > 0)
         return MISSING;
     if (a->outcome != SOLVED)
@@ -113,6 +68,7 @@ static void count_result(struct timing *t, enum result result, const char *id)
     t->wrong += result == OTHERWISE_WRONG;
     t->stopped += result == EARLY;
     t->not_taken += result == REFUSED;
+    t->broken += result == BROKE;
     if (result == MISSING && !t->first_missing)
         t->first_missing = id;
 }
@@ -121,13 +77,15 @@ static void judge_all(struct work *work, const struct timing_plan *plan, struct 
                       struct timing *timing)
 {
     for (int k = 0; k < r->contenders; k++) {
+        if (work_is_program(work[k].contender) && r->pairs > 0)
+            work_ask(&work[k], work[k].at[r->index[0]]); /* starts it, which is not the pair's own time */
         for (int i = 0; i < r->pairs; i++) {
             const struct loaded_case *pair = work[k].at[r->index[i]];
-            enum result result = REFUSED;
+            enum result result = work[k].contender->limit ? GOOD : REFUSED;
 
-            if (work[k].failures < PATIENCE) {
+            if (!work[k].contender->left_out && result != GOOD && work[k].failures < PATIENCE) {
                 double start = clock_now(true);
-                struct answer a = ask(&work[k], pair);
+                struct answer a = work_ask(&work[k], pair);
 
                 r->ns[k * r->pairs + i] = clock_now(true) - start;
                 result = rate(pair, &a, plan);
@@ -147,12 +105,12 @@ static bool is_common(const struct results *r, int pair)
 }
 
 /* Who is still in and was right least often; -1 if nobody is in. */
-static int weakest(const struct results *r, const struct timing *timing)
+static int weakest(const struct results *r, const struct contender *contender, const struct timing *timing)
 {
     int least = -1;
 
     for (int k = 0; k < r->contenders; k++)
-        if (r->in[k] && (least < 0 || timing[k].right <= timing[least].right))
+        if (r->in[k] && !contender[k].limit && (least < 0 || timing[k].right <= timing[least].right))
             least = k;
     return least;
 }
@@ -162,7 +120,11 @@ static void leave_out(struct results *r, const struct work *work, struct timing 
     struct timing *t = &timing[k];
 
     r->in[k] = false;
-    if (t->missing)
+    if (work[k].contender->left_out)
+        snprintf(t->why_not, sizeof t->why_not, "%.150s", work[k].contender->left_out);
+    else if (t->broken == t->judged && t->judged)
+        snprintf(t->why_not, sizeof t->why_not, "broke down on each of %d pairs", t->judged);
+    else if (t->missing)
         snprintf(t->why_not, sizeof t->why_not, "missed a root of %d of %d pairs, first %s", t->missing,
                  t->judged, t->first_missing);
     else
@@ -171,15 +133,19 @@ static void leave_out(struct results *r, const struct work *work, struct timing 
 }
 
 /* Settles who is timed, and on which pairs; returns how many those are. */
-static int choose(struct results *r, const struct work *work, struct timing *timing, int *common)
+static int choose(struct results *r, const struct work *work, const struct timing_plan *plan,
+                  struct timing *timing, int *common)
 {
     for (int k = 0; k < r->contenders; k++) {
+        bool seldom =
+            plan->forgive ? !timing[k].right : timing[k].missing || 2 * timing[k].right < timing[k].judged;
+
         r->in[k] = true;
-        if (timing[k].missing || 2 * timing[k].right < timing[k].judged)
+        if (seldom || work[k].contender->left_out)
             leave_out(r, work, timing, k);
     }
     for (;;) {
-        int out = weakest(r, timing), count = 0;
+        int out = weakest(r, work[0].contender, timing), count = 0;
 
         for (int i = 0; i < r->pairs; i++)
             if (is_common(r, i))
@@ -211,7 +177,19 @@ static double mean_steps(struct work *w, int pairs)
     double sum = 0;
 
     for (int i = 0; i < pairs; i++)
-        sum += ask(w, w->at[w->index[i]]).steps;
+        sum += work_ask(w, w->at[w->index[i]]).steps;
+    return sum / pairs;
+}
+
+static double mean_roots(const struct work *w, int pairs)
+{
+    double sum = 0;
+
+    for (int i = 0; i < pairs; i++) {
+        const struct case_expected *e = &w->at[w->index[i]]->c.expected;
+
+        sum += e->known ? e->count : NAN;
+    }
     return sum / pairs;
 }
 
@@ -242,18 +220,21 @@ static void measure(struct work *work, const struct results *r, const struct tim
             continue;
         work[k].failures = 0;
         timing[k].steps = mean_steps(&work[k], pairs);
-        task[n].items = pairs;
-        task[n].run = solve_pairs;
-        task[n].context = &work[k];
-        task[n].wall = !work[k].contender->algorithm;
+        timing[k].roots = mean_roots(&work[k], pairs);
+        if (work_is_program(work[k].contender) && !work_hand_over(&work[k], pairs)) {
+            snprintf(timing[k].why_not, sizeof timing[k].why_not, "did not take the pairs to be timed");
+            continue;
+        }
+        task[n] = work_task(&work[k], pairs);
         who[n++] = k;
     }
     clock_interleave(n, task, &plan->clock, samples);
     for (int i = 0; i < n; i++) {
         struct timing *t = &timing[who[i]];
 
-        find_slowest(&work[who[i]], &task[i], t);
         t->samples = samples[i];
+        if (!work[who[i]].failures)
+            find_slowest(&work[who[i]], &task[i], t);
         t->pairs = work[who[i]].failures ? 0 : pairs;
         if (work[who[i]].failures)
             snprintf(t->why_not, sizeof t->why_not, "failed %d times while timed%s", work[who[i]].failures,
@@ -274,15 +255,15 @@ static int judgeable(int count, const struct loaded_case *const *at, bool unchec
     return pairs;
 }
 
-void timing_run(int count, const struct loaded_case *const *at, int n, const struct contender *contender,
-                const struct timing_plan *plan, struct timing_memory *memory, struct timing *timing,
-                int *left_out)
+int timing_run(int count, const struct loaded_case *const *at, int n, const struct contender *contender,
+               const struct timing_plan *plan, struct timing_memory *memory, struct timing *timing,
+               int *left_out, int **shared)
 {
     struct work *work = (struct work *)allocate(n, sizeof *work);
-    int *common = (int *)allocate(count, sizeof *common), pairs;
+    int *common = (int *)allocate(count, sizeof *common), pairs, all;
     struct results r;
 
-    memset(timing, 0, n * sizeof *timing);
+    memset((void *)timing, 0, n * sizeof *timing);
     r.index = (int *)allocate(count, sizeof *r.index);
     r.pairs = judgeable(count, at, plan->unchecked, r.index);
     r.contenders = n;
@@ -294,10 +275,16 @@ void timing_run(int count, const struct loaded_case *const *at, int n, const str
         work[k].contender = &contender[k];
         work[k].at = at;
         work[k].memory = memory;
+        work[k].heartbeat = plan->heartbeat;
+        work[k].number = k;
         work[k].index = common;
     }
     judge_all(work, plan, &r, timing);
-    pairs = thin(&r, plan, choose(&r, work, timing, common), common);
+    all = choose(&r, work, plan, timing, common);
+    *shared = (int *)allocate(all, sizeof **shared);
+    for (int i = 0; i < all; i++)
+        (*shared)[i] = r.index[common[i]];
+    pairs = thin(&r, plan, all, common);
     for (int i = 0; i < pairs; i++)
         common[i] = r.index[common[i]];
     if (pairs > 0)
@@ -308,6 +295,7 @@ void timing_run(int count, const struct loaded_case *const *at, int n, const str
     free(r.index);
     free(common);
     free(work);
+    return all;
 }
 
 void timing_clear(struct timing *timing)

@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include <flint/flint.h>
 
 #include "exact.h"
@@ -212,6 +213,8 @@ static void solve_file(struct run *r, const char *path)
         return;
     }
     solve_stream(r, stream, stream == stdin ? "stdin" : path);
+    if (ferror(stream))
+        r->worst = FAILED;
     if (stream != stdin)
         fclose(stream);
 }
@@ -248,7 +251,8 @@ int main(int argc, char **argv)
     argp_parse(&argp, argc, argv, 0, 0, &a);
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
-    progress_set_quiet(a.quiet);
+    const bool shows_lines = !a.compare && !a.timing && isatty(STDOUT_FILENO);
+    progress_set_quiet(a.quiet || shows_lines);
     progress_begin("truth", 0);
     for (int i = 0; i < a.file_count && !interrupted; i++)
         if (r.worst < BAD_DATA || a.keep_going)
@@ -259,7 +263,9 @@ int main(int argc, char **argv)
     if (a.timing)
         write_timing(&r, argc, argv);
     flint_cleanup();
-    if (fflush(stdout) || ferror(stdout))
+    if (fflush(stdout) || ferror(stdout)) {
+        fprintf(stderr, "fatline truth: standard output cannot be written\n");
         spoil(&r, FAILED);
+    }
     return interrupted ? INTERRUPTED : r.worst;
 }

@@ -76,6 +76,19 @@ static void compare_solutions(struct comparison *d, const struct case_expected *
     free(taken);
 }
 
+static json_int_t places_of(const struct test_case *c)
+{
+    const json_t *count = json_object_get(json_object_get(c->line, "expected"), "distinct_points");
+    return count ? json_integer_value(count) : -1;
+}
+
+static void compare_places(struct comparison *d)
+{
+    json_int_t said = places_of(d->said), found = places_of(d->found);
+    if (said >= 0 && said != found)
+        differ(d, "distinct_points: the line says %d, found %d", (int)said, (int)found);
+}
+
 static bool same_overlap(const struct comparison *d, const struct case_overlap *a,
                          const struct case_overlap *b)
 {
@@ -165,6 +178,7 @@ int truth_compare(FILE *stream, const struct test_case *said, const struct test_
     if (said->expected.known) {
         compare_solutions(&d, &said->expected, &found->expected);
         compare_overlaps(&d, &said->expected, &found->expected);
+        compare_places(&d);
     }
     compare_planted(&d);
     return d.differences;

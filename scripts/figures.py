@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Draws results/figures/: clip.svg, how one clip works, and time.svg, made from results/raw/."""
 
+import argparse
 import sys
 from math import comb
 
@@ -15,6 +16,8 @@ import tables  # noqa: E402
 
 FIGURES = tables.ROOT / "results/figures"
 BLUE, ORANGE, GREEN, GREY = "#0072b2", "#d55e00", "#009e73", "#666666"
+HUES = [BLUE, ORANGE, GREEN, "#cc79a7", "#56b4e9", "#e69f00"]
+MARKERS = "oDs^"
 
 F = np.array([[0.9, -0.3], [0.6, 2.2], [2.6, 0.9], [3.3, 3.6]])
 G = np.array([[0.1, 2.5], [1.4, 1.35], [2.7, 2.35], [4.4, 1.0]])
@@ -105,26 +108,32 @@ def draw_clip():
 
 
 def draw_time():
-    """Median time by family and algorithm: a dot where every case was right, a cross where some were not."""
+    """Median time by family (cubics, where there are) and algorithm in the first precision that was timed: filled
+    where every pair was right, hollow where some were not."""
     times = tables.times()
-    if not times.empty:
-        times["family"] = [tables.label(f, d) for f, d in zip(times.family, times.degrees)]
     if times.empty:
         print("figures: no rows of time in results/raw/, so no time.svg", file=sys.stderr)
         return
+    times = tables.short(times[times.precision == times.precision.iloc[0]])
     algorithms, families = list(times.algorithm.unique()), list(times.family.unique())
     figure, axes = plt.subplots(figsize=(9, 1.2 + 0.26 * len(families)))
-    colors = plt.get_cmap("tab20")
     for index, algorithm in enumerate(algorithms):
         rows = times[times.algorithm == algorithm]
-        height = [families.index(name) + (index / len(algorithms) - 0.5) * 0.5 for name in rows.family]
-        axes.plot(rows.ns_median / 1000, height, "o", ms=4, color=colors(index % 20), label=algorithm)
+        height = np.array([families.index(name) + (index / len(algorithms) - 0.5) * 0.6 for name in rows.family])
+        whole = (rows.right == rows.family_pairs - rows.left_out).to_numpy()
+        color = HUES[index % len(HUES)]
+        style = {"ls": "", "marker": MARKERS[index // len(HUES) % len(MARKERS)], "ms": 5, "mec": color}
+        axes.plot(rows.ns_median[whole] / 1000, height[whole], mfc=color, **style)
+        axes.plot(rows.ns_median[~whole] / 1000, height[~whole], mfc="white", **style)
+        axes.plot([], [], mfc=color, label=algorithm, **style)
+    for row in range(0, len(families), 2):
+        axes.axhspan(row - 0.5, row + 0.5, color="black", alpha=0.04, lw=0)
     axes.set_xscale("log")
-    axes.set_xlabel("median time of a pair, µs")
+    axes.set_xlabel("median time of a pair, µs; hollow: of the pairs that were right, for some were not")
     axes.set_yticks(range(len(families)), families, fontsize=8)
-    axes.invert_yaxis()
-    axes.grid(axis="both", lw=0.3)
-    axes.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
+    axes.set_ylim(len(families) - 0.5, -0.5)
+    axes.grid(axis="x", lw=0.3)
+    axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
     figure.tight_layout()
     save(figure, "time")
 
@@ -137,6 +146,7 @@ def save(figure, name):
 
 
 if __name__ == "__main__":
+    argparse.ArgumentParser(description=__doc__).parse_args()
     plt.rcParams.update({"svg.hashsalt": "fatline", "svg.fonttype": "path", "font.size": 10,
                          "mathtext.fontset": "cm"})
     draw_clip()

@@ -5,6 +5,7 @@ import argparse
 import json
 import sys
 import textwrap
+from collections import Counter
 from pathlib import Path
 
 import pandas as pd
@@ -12,11 +13,15 @@ import pandas as pd
 ROOT = Path(__file__).resolve().parent.parent
 RAW = ROOT / "results/raw"
 TABLES = ROOT / "results/tables"
+MASS = ROOT / "build/mass"  # too many rows to keep
 VERDICTS = {"RIGHT": "right", "WRONG": "wrong", "STOPPED": "stopped", "NOT_TAKEN": "not_taken",
-            "UNJUDGED": "unjudged"}
+            "UNJUDGED": "unjudged", "BROKEN": "broken"}
 COUNTS = ["missed", "extra", "duplicate", "merged", "undecided"]
+SUMS = ["pairs", *VERDICTS.values(), "expected", "found", *COUNTS]
 KEY = ["family", "degrees", "algorithm", "precision"]
+TEXTS = [*KEY, "judge"]  # columns to the left
 PRECISIONS = ["double", "quad", "multi"]
+FLOOR = "floor"  # the yardstick, which every timing has
 
 
 def label(family, degrees):
@@ -80,8 +85,8 @@ def orders():
 
 
 def checks():
-    """A row a family, pair of degrees, algorithm and precision: how many pairs got which verdict, what was missed or extra.
-    Ambiguous pairs are counted, but not judged."""
+    """A row a family, pair of degrees, algorithm and precision: how many pairs got which verdict, what was missed
+    or extra.  Ambiguous pairs are counted, but not judged."""
     rows = read_rows("check")
     if rows.empty:
         return rows
@@ -97,6 +102,22 @@ def checks():
     return in_order(table.reset_index(), orders())
 
 
+def masses():
+    """A row a judge, pair of degrees and algorithm: random pairs whose answers the judge found afresh."""
+    rows = []
+    for path in sorted(MASS.glob("check-*.jsonl")):
+        _, judge, degrees = path.stem.split("-")
+        sums = {}
+        for row in map(json.loads, open(path)):
+            if "verdict" in row:
+                counts = sums.setdefault(row["algorithm"], Counter())
+                counts.update({"pairs": 1, VERDICTS[row["verdict"]]: 1, "expected": row["expected"] or 0,
+                               **{what: row[what] for what in ("found", *COUNTS)}})
+        rows += [{"judge": judge, "degrees": degrees, "algorithm": algorithm,
+                  **{column: counts[column] for column in SUMS}} for algorithm, counts in sums.items()]
+    return pd.DataFrame(rows)
+
+
 def times():
     """A row a family, pair of degrees, algorithm and precision that was timed."""
     rows = read_rows("time")
@@ -109,7 +130,8 @@ def times():
 def by_family(checked, timed):
     """The main table."""
     if not timed.empty:
-        columns = [c for c in ("ns_median", "ns_lo", "ns_hi", "ns_max", "steps", "ratio", "ratio_lo", "ratio_hi")
+        columns = [c for c in ("ns_median", "ns_lo", "ns_hi", "ns_max", "steps", "ratio", "ratio_lo", "ratio_hi",
+                               "floor_ratio")
                    if c in timed]
         timed = timed.set_index(KEY)[["pairs", *columns]].rename(columns={"pairs": "timed_pairs"})
         checked = checked.join(timed, on=KEY)
@@ -117,7 +139,7 @@ def by_family(checked, timed):
 
 
 def summed(checked, columns):
-    sums = ["pairs", *VERDICTS.values(), "expected", "found", *COUNTS, "ambiguous"]
+    sums = [c for c in (*SUMS, "ambiguous") if c in checked]
     return checked.groupby(columns, sort=False)[sums].sum().reset_index()
 
 
@@ -141,7 +163,11 @@ def matrix(main, precision):
     rows["cell"] = rows.apply(cell, axis=1)
     places = list(dict.fromkeys(zip(rows.family, rows.degrees)))
     wide = rows.pivot(index=["family", "degrees"], columns="algorithm", values="cell")
-    return wide.reindex(index=places, columns=list(dict.fromkeys(rows.algorithm))).fillna("").reset_index()
+    wide = wide.reindex(index=places, columns=list(dict.fromkeys(rows.algorithm)))
+    if "floor_ratio" in rows:
+        wide[FLOOR] = (rows.ns_median / rows.floor_ratio / 1000).groupby([rows.family, rows.degrees]).median().map(
+            lambda us: "" if pd.isna(us) else significant(us))
+    return wide.fillna("").reset_index()
 
 
 def counts_matrix(main, precision):
@@ -156,16 +182,18 @@ def counts_matrix(main, precision):
 
 
 def short(wide):
-    """Of each family the one row that terminals get: cubics, or the first."""
-    rows = [group[group.degrees == "3x3"] if (group.degrees == "3x3").any() else group.head(1)
+    """Of each family the rows that terminals and figures get: cubics, or the first degrees."""
+    rows = [group[group.degrees == ("3x3" if (group.degrees == "3x3").any() else group.degrees.iloc[0])]
             for _, group in wide.groupby("family", sort=False)]
     return pd.concat(rows)
 
 
+COUNTS_TITLE = "Pairs right / solutions missed / extra"
+COUNTS_LEGEND = "Pairs that are not right without a miss or an extra stopped early, merged, or were not taken"
 MATRIX_LEGEND = (
     "median time of a pair in microseconds. *: some pairs stopped early, merged or not taken, which are not timed; "
     "N miss: N solutions missed; N extra: N claimed where there is none; N not: N pairs not right and none timed; "
-    "right: right but not timed; -: not taken at all")
+    "right: right but not timed; -: not taken at all; floor: the yardstick, which is told three digits of every root")
 
 
 def significant(value, digits=3):
@@ -192,14 +220,14 @@ def markdown(table, title, note):
     head = [str(c) for c in table.columns]
     lines = [f"# {title}", "", note, "",
              "| " + " | ".join(head) + " |",
-             "|" + "|".join(" --- " if c in KEY else " ---: " for c in head) + "|"]
+             "|" + "|".join(" --- " if c in TEXTS else " ---: " for c in head) + "|"]
     lines += ["| " + " | ".join(map(str, row)) + " |" for row in table.values.tolist()]
     return "\n".join(lines) + "\n"
 
 
 def latex(table, caption):
     styler = table.rename(columns=lambda c: str(c).replace("_", r"\_")).replace("_", r"\_", regex=True).style
-    form = "".join("l" if c in KEY else "r" for c in table.columns)
+    form = "".join("l" if c in TEXTS else "r" for c in table.columns)
     return styler.hide(axis="index").to_latex(hrules=True, column_format=form, caption=caption)
 
 
@@ -217,7 +245,7 @@ def aligned(table):
     """The table as lines of text for a terminal."""
     rows = [[str(c) for c in table.columns], *table.values.tolist()]
     widths = [max(len(str(row[i])) for row in rows) for i in range(len(rows[0]))]
-    names = [i for i, c in enumerate(table.columns) if c in KEY]
+    names = [i for i, c in enumerate(table.columns) if c in TEXTS]
     return "\n".join("  ".join(str(v).ljust(w) if i in names else str(v).rjust(w)
                                for i, (v, w) in enumerate(zip(row, widths))).rstrip() for row in rows)
 
@@ -230,7 +258,8 @@ def numbered(table):
     """The matrix with the algorithms' numbers as heads, so that it fits a terminal, and what they stand for."""
     names = [c for c in table.columns if c not in ("family", "degrees", "pairs")]
     heads = {name: f"[{i}]" for i, name in enumerate(names, 1)}
-    return table.rename(columns=heads), fold("  ".join(f"{heads[name]} {name}" for name in names))
+    legend = fold("  ".join(f"{heads[name]}\u00a0{name}" for name in names))
+    return table.rename(columns=heads), legend.replace("\u00a0", " ")
 
 
 def is_timed(main, precision):
@@ -240,15 +269,24 @@ def is_timed(main, precision):
 def print_summary(main):
     for precision in dict.fromkeys(main.precision):
         rows = summed(main[main.precision == precision], ["algorithm"])
-        columns = ["algorithm", "pairs", *VERDICTS.values(), "expected", "found", *COUNTS]
+        columns = ["algorithm", *SUMS]
         counts, legend = numbered(counts_matrix(main, precision))
         print(f"\n{precision}, all families together: pairs and their verdicts; solutions\n")
         print(aligned(shown(rows[columns])))
-        print(f"\n{precision}, by family: pairs right / solutions missed / extra\n{legend}\n\n{aligned(shown(counts))}")
+        about = fold(f"{precision}, by family: {COUNTS_TITLE.lower()}. {COUNTS_LEGEND}.")
+        print(f"\n{about}\n{legend}\n\n{aligned(shown(counts))}")
         if is_timed(main, precision):
             table, _ = numbered(short(matrix(main, precision)))
             about = fold(f"{precision}, by family, cubics where there are: {MATRIX_LEGEND}")
             print(f"\n{about}\n\n{aligned(table)}")
+
+
+def print_masses(many):
+    for judge in dict.fromkeys(many.judge):
+        rows = many[many.judge == judge]
+        degrees = list(dict.fromkeys(rows.degrees))
+        print(f"\ndouble, random pairs of degrees {degrees[0]} to {degrees[-1]}, answers found afresh, judge {judge}\n")
+        print(aligned(shown(summed(rows, ["algorithm"]))))
 
 
 def make(quiet=False):
@@ -256,16 +294,24 @@ def make(quiet=False):
     main = by_family(checks(), times())
     if main.empty:
         sys.exit("tables: there are no rows in results/raw/; make reproduce measures them")
+    for path in [*TABLES.glob("counts-*"), *TABLES.glob("times-*")]:
+        path.unlink()
     raw = "`results/raw/check-*`"
     write(main, "families", "Every algorithm on every family", f"{raw} and `results/raw/time-*`")
     write(summed(main, ["precision", "algorithm"]), "algorithms", "Every algorithm, all families together", raw)
     for precision in dict.fromkeys(main.precision):
-        title = f"Pairs right / solutions missed / extra, {precision}"
-        write(counts_matrix(main, precision), f"counts-{precision}", title, raw)
+        write(counts_matrix(main, precision), f"counts-{precision}", f"{COUNTS_TITLE}, {precision}", raw, COUNTS_LEGEND)
         if is_timed(main, precision):
             write(matrix(main, precision), f"times-{precision}", f"Time by family and algorithm, {precision}",
                   "`families.csv`", MATRIX_LEGEND)
+    many = masses()
+    if not many.empty:
+        title = "Random pairs whose answers were found afresh"
+        legend = "Judges: krawczyk, Krawczyk's test at binary128; exact, algebra"
+        write(many, "masses", title, "`build/mass/`", legend)
     if not quiet:
+        if not many.empty:
+            print_masses(many)
         print_summary(main)
     return main
 

@@ -14,10 +14,22 @@ TIMED_OUT = 124
 PLAIN_SECONDS = 15  # between two lines of progress where stderr is not a terminal
 
 
+running = set()  # process groups
+
+
+def kill_running():
+    for group in list(running):
+        try:
+            os.killpg(group, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+
+
 def run(command, timeout=None, stdout=subprocess.PIPE, env=None):
     """A CompletedProcess with text; after `timeout` seconds its whole process group is killed (TIMED_OUT)."""
     with subprocess.Popen(command, stdout=stdout, stderr=subprocess.PIPE, text=True, errors="replace",
                           start_new_session=True, env={**os.environ, **(env or {})}) as process:
+        running.add(process.pid)
         try:
             out, err = process.communicate(timeout=timeout)
             return subprocess.CompletedProcess(command, process.returncode, out or "", err)
@@ -28,6 +40,8 @@ def run(command, timeout=None, stdout=subprocess.PIPE, env=None):
                 raise
             err += f"killed after {timeout:g} s\n"
             return subprocess.CompletedProcess(command, TIMED_OUT, out or "", err)
+        finally:
+            running.discard(process.pid)
 
 
 def algorithms(precision="double"):
@@ -100,6 +114,7 @@ def run_all(jobs, work, label, workers, do):
                 yield job, result
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
+            kill_running()
             raise
         finally:
             progress.end()

@@ -12,6 +12,22 @@ struct planted {
     real t, s;
 };
 
+static inline void prop_curve_copy(struct prop_curve *to, const struct prop_curve *from)
+{
+    *to = *from;
+    to->curve.x = to->x;
+    to->curve.y = to->y;
+    to->curve.w = from->curve.w ? to->w : NULL;
+}
+
+static inline void planted_copy(struct planted *to, const struct planted *from)
+{
+    prop_curve_copy(&to->f, &from->f);
+    prop_curve_copy(&to->g, &from->g);
+    to->t = from->t;
+    to->s = from->s;
+}
+
 /* Homogeneous point of c at local t; the weight of a polynomial curve is 1. */
 static inline void exact_point(const struct curve *c, real t, mpq_t out[3])
 {

@@ -23,7 +23,7 @@ FORBIDDEN_CALLS = re.compile(r"\b(malloc|calloc|realloc|free|alloca|aligned_allo
 MAY_INCLUDE = {
     "core": ("core/",),
     "intersect": ("core/", "bezier.h", "crossings.h"),
-    "curvature": ("core/", "bezier.h", "region.h"),
+    "curvature": ("core/", "curvature/", "bezier.h", "region.h", "list.h"),
     "": ("core/", "bezier.h", "region.h", "list.h", "crossings.h"),
 }
 # The loop of the cell algorithms belongs to core/ though it speaks of problems and crossings.

@@ -95,6 +95,24 @@ def test_two_curves_in_one_line():
     assert lo <= 0.7071067811865476 <= hi + 1e-16 and hi - lo <= 1e-12, row
 
 
+def test_roots():
+    measured = rows(expect(fatline("roots", "--rows", "--degree", "4,8", "--accuracy", "7,14,20"), 0))
+    assert "environment" in measured.pop(0)
+    assert len(measured) == 4 * 2 * 3 * (1 + 3)  # kinds, degrees, finders; an order and three accuracies
+    for finder in ("hull", "quadratic", "cubic"):
+        clips = [row["clips"] for row in measured if row["finder"] == finder and row["row"] == "cost"
+                 and (row["roots"], row["degree"]) == ("double", 8)]
+        assert len(clips) == 3 and clips == sorted(clips) and clips[-1] > 1
+    linear, = (row for row in measured if row["row"] == "order" and row["finder"] == "hull"
+               and (row["roots"], row["degree"]) == ("double", 8))
+    assert linear["law"] == "linear" and abs(linear["per_clip"] - 1) < 0.05
+    assert all(row["law"] == "too_few" and row["per_clip"] is None for row in measured
+               if row["row"] == "order" and row["points"] < 2)
+    assert "quadratic" in expect(fatline("roots", "--degree", "2", "--finder", "quadratic"), 0)
+    for wrong in (["--finder", "newton"], ["--degree", "0"], ["--degree", "33"], ["--accuracy", "7,,8"], ["file"]):
+        expect(fatline("roots", *wrong), 64)
+
+
 def test_bad_lines():
     lines = [CASE % "a", "", "{}", CASE % "b", '{"id":"c","f":{"points":[[0,0]]}}', CASE % "d"]
     text = "\n".join(lines)
@@ -143,6 +161,20 @@ def test_external_programs():
     failing = rows(expect(fatline("solve", "--external", "false", text=text), 0, "one: false: ended with status 1"))
     assert [(row["id"], row["outcome"]) for row in failing] == [(i, "INVALID") for i in ("one", "two", "three")]
     assert all("status 1" in row["message"] for row in failing)
+
+
+def test_missing_programs_are_no_answers():
+    for command in ("solve", "check", "time"):
+        shown = expect(fatline(command, "--external", "./no-such-program", text=CASE % "one"), 2, "no-such-program")
+        assert "INVALID" not in shown and "not timed" not in shown
+
+
+def test_external_programs_are_judged():
+    """With no other algorithm beside them; a program that answers nothing is not taken for right."""
+    text = "\n".join(CASE % name for name in ("one", "two"))
+    for command, verdict in ((f"{FATLINE} solve --tolerance $FATLINE_TOLERANCE", "RIGHT"), ("false", "NOT_TAKEN")):
+        judged = rows(expect(fatline("check", "--rows", "--truth", "--external", command, text=text), 0))
+        assert [row["verdict"] for row in judged if "verdict" in row] == [verdict, verdict], judged
 
 
 def main():

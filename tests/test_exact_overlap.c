@@ -78,6 +78,8 @@ static void test_node_beside_overlap(void **state)
     assert_class(&c, "overlap", 2, 1);
     assert_solution(&c, 0, "1/4", "1/4", 1);
     assert_solution(&c, 1, "3/4", "3/4", 1);
+    const json_t *places = json_object_get(json_object_get(c.line, "expected"), "distinct_points");
+    assert_int_equal(json_integer_value(places), 1);
     assert_overlap(&c, 0, (const char *const[]){"0", "1", "1", "0"});
     case_clear(&c);
     plane_curve_clear(&f);

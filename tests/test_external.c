@@ -58,7 +58,7 @@ static void test_name_is_the_first_word(void **state)
 {
     static const char *const command[][2] = {{"cat", "cat"},
                                              {" /bin/cat -u", "cat"},
-                                             {"./a/b.c/tool.py --x=/y/z", "tool.py"},
+                                             {"/usr/bin/../bin/env --x=/y/z", "env"},
                                              {"true|cat", "true"}};
     struct external e;
     (void)state;
@@ -101,11 +101,19 @@ static void test_failures_are_results(void **state)
     }
 }
 
+/* Refused at once where the shell's own search can tell, else with every answer. */
 static void test_missing_program(void **state)
 {
+    static const char *const missing[] = {"./no-such-program", "no-such-program --x", "  /no/such/program"};
     struct external e;
     struct answer a;
     (void)state;
+    for (size_t i = 0; i < sizeof missing / sizeof *missing; i++) {
+        const char *error = external_start(&e, missing[i], 5, (real)1e-9);
+        assert_non_null(error);
+        assert_non_null(strstr(error, "no program of this name"));
+        external_stop(&e);
+    }
     start(&e, "./no-such-program 2>/dev/null", 5);
     for (int i = 0; i < 3; i++) {
         const char *error = ask(&e, "a", &a);

@@ -136,10 +136,10 @@ static void test_supported(void **state)
 
 /* ---- what is not a problem ---- */
 
-enum { MISTAKES = 17 };
+enum { MISTAKES = 19 };
 
 /* Makes mistake k in p, whose curve f is rational of degree 3 with the coefficients of `f`. */
-static void spoil(int k, struct problem *p, struct prop_curve *f)
+static void spoil(int k, struct problem *p, struct prop_curve *f, struct random_state *r)
 {
     const real infinite = REAL_HUGE * 2, nan = infinite - infinite;
     struct curve *c = &p->f;
@@ -192,8 +192,15 @@ static void spoil(int k, struct problem *p, struct prop_curve *f)
     case 15:
         c->domain.lo = nan;
         break;
-    default:
+    case 16:
         c->domain.hi = infinite;
+        break;
+    case 17: /* weights that differ too much */
+        f->w[1] = real_ldexp(f->w[0], random_bits(r) % 2 ? 260 : -260);
+        break;
+    default: /* a width that is not finite */
+        c->domain.lo = -REAL_HUGE;
+        c->domain.hi = REAL_HUGE;
         break;
     }
 }
@@ -209,7 +216,7 @@ static void test_invalid(void **state)
             prop_curve_make(&g, &r, 2, 20, i % 2);
             solver_init(&solver, intersectors[a], DEGREE_MAX, DEGREE_MAX, WORKSPACE_ROOM);
             struct problem p = problem_of(&f.curve, &g.curve, tolerance(0), STEPS);
-            spoil(i % MISTAKES, &p, &f);
+            spoil(i % MISTAKES, &p, &f, &r);
             if (i >= MISTAKES) {
                 struct curve c = p.f;
                 p.f = p.g;

@@ -54,7 +54,7 @@ static struct interval around(struct random_state *r, real x, real width)
 static void test_planted(void **state)
 {
     (void)state;
-    int proved = 0, cases = trials(20000);
+    int proved = 0, cases = trials(8000);
     for (int i = 0; i < cases; i++) {
         struct random_state r = random_for(1, "planted", (uint64_t)i);
         struct meeting m;

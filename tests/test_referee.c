@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "prop.h"
-#include "../harness/anchored.h"
+#include "../harness/referee_cells.h"
 #include "../harness/case.h"
 #include "../harness/referee.h"
 #include "../harness/referee_pair.h"

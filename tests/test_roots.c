@@ -1,8 +1,11 @@
 /* Roots of polynomials in Bernstein form: planted ones are never lost, however the coefficients err. */
+#include <math.h>
+
 #include "dyadic.h"
 #include "nasty.h"
 
 #include "../algorithms/core/roots.h"
+#include "../harness/planted_roots.h"
 
 enum { DEGREE = 12, SCRATCH = 8192 };
 
@@ -136,28 +139,100 @@ static void make_planted(struct planted *p, struct random_state *r)
     blur(p, r, random_bits(r) % 3 ? real_ldexp(1, -(int)random_between(r, 10, finest)) : (real)0);
 }
 
+static void check_planted(const struct root_finder *f, int i)
+{
+    static real scratch[SCRATCH];
+    struct random_state r = random_for(1, "planted", (uint64_t)i);
+    struct planted p;
+    struct root found[DEGREE + 1];
+    make_planted(&p, &r);
+    int count = f->find(p.n, p.c, p.error, real_ldexp(1, -30), scratch, DEGREE + 1, found, NULL);
+    if (count_lost(&p, count, found) > 0)
+        fail_msg("%s, case %d: a root is lost", f->name, i);
+    for (int j = 0; j < count; j++) {
+        int held = count_held(&p, &found[j]);
+        if (held > found[j].at_most || (found[j].single && held != 1))
+            fail_msg("%s, case %d: %d roots where at most %d were promised", f->name, i, held,
+                     found[j].at_most);
+        if (found[j].lo > found[j].hi || (j > 0 && found[j - 1].hi >= found[j].lo))
+            fail_msg("%s, case %d: enclosures out of order", f->name, i);
+    }
+    planted_clear(&p);
+}
+
 static void test_planted(void **state)
 {
     (void)state;
-    static real scratch[SCRATCH];
     assert_true(roots_scratch(DEGREE) <= SCRATCH);
-    for (int i = 0; i < trials(8000); i++) {
-        struct random_state r = random_for(1, "planted", (uint64_t)i);
-        struct planted p;
-        struct root found[DEGREE + 1];
-        make_planted(&p, &r);
-        int count = roots_find(p.n, p.c, p.error, real_ldexp(1, -30), scratch, DEGREE + 1, found);
-        if (count_lost(&p, count, found) > 0)
-            fail_msg("case %d: a root is lost", i);
-        for (int j = 0; j < count; j++) {
-            int held = count_held(&p, &found[j]);
-            if (held > found[j].at_most || (found[j].single && held != 1))
-                fail_msg("case %d: %d roots where at most %d were promised", i, held, found[j].at_most);
-            if (found[j].lo > found[j].hi || (j > 0 && found[j - 1].hi >= found[j].lo))
-                fail_msg("case %d: enclosures out of order", i);
-        }
-        planted_clear(&p);
+    for (int k = 0; root_finders[k]; k++)
+        for (int i = 0; i < trials(k == 0 ? 8000 : 3000); i++)
+            check_planted(root_finders[k], i);
+}
+
+/* ---- order and cost ---- */
+
+/* log2 of the widths of the intervals that held 1/3. */
+struct trail {
+    int count;
+    double width[4096];
+};
+
+static void follow(void *log, real lo, real hi)
+{
+    struct trail *t = (struct trail *)log;
+    real width = hi - lo, root = (real)1 / 3;
+    if (lo <= root && root <= hi && width > 0 && t->count < 4096) {
+        int e = real_exponent(width);
+        t->width[t->count++] = e + log2(real_to_double(real_ldexp(width, -e)));
     }
+}
+
+/* The last ratio (L3 - L2) / (L2 - L1) with L3 three quarters of the way to where rounding ends; 0: there is
+ * none. */
+static double order_of(const struct root_finder *f, enum planted_kind kind, int n, int *clips)
+{
+    static real scratch[SCRATCH];
+    static struct trail trail;
+    real c[PLANTED_DEGREE_MAX + 1], error[PLANTED_DEGREE_MAX + 1];
+    struct root found[PLANTED_DEGREE_MAX + 1];
+    struct root_search search = {0, follow, &trail};
+    double order = 0, floor = -0.75 * REAL_BITS / planted_kind_roots(kind);
+    trail.count = 0;
+    planted_roots_make(kind, n, 20, c, error);
+    f->find(n, c, error, real_ldexp(1, 4 - REAL_BITS), scratch, PLANTED_DEGREE_MAX + 1, found, &search);
+    for (int i = 2; i < trail.count; i++) {
+        const double *w = &trail.width[i - 2];
+        if (w[2] >= floor && w[0] <= -3)
+            order = (w[2] - w[1]) / (w[1] - w[0]);
+    }
+    *clips = trail.count;
+    *clips = trail.count;
+    return order;
+}
+
+/* Orders 2, 3, 4 at a simple root; 3/2 and 2 at a double, 4/3 at a triple one by quadratic and cubic
+ * clipping.  Elsewhere convergence is linear: 1.  In less than 2,048 bits there are few widths, or too few.
+ */
+static void check_order(int k, enum planted_kind kind, int n)
+{
+    static const double theory[3][3] = {{2, 3, 4}, {1, 1.5, 2}, {1, 1, 4.0 / 3}};
+    int clips;
+    double order = order_of(root_finders[k], kind, n, &clips), most = theory[kind][k];
+    const double allowed = REAL_BITS > 1000 ? 0.03 : 0.2;
+    if (REAL_BITS < 1000 && most > 1 && order == 0)
+        return;
+    if (most > 1 ? !(fabs(order - most) <= allowed * most) : clips < REAL_BITS / 8)
+        fail_msg("%s, %s root, degree %d: order %.3f in %d clips, theory %.3f", root_finders[k]->name,
+                 planted_kind_name(kind), n, order, clips, most);
+}
+
+static void test_order(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 3; k++)
+        for (int kind = SIMPLE_ROOT; kind <= TRIPLE_ROOT; kind++)
+            for (int n = 8; n <= 16; n *= 2)
+                check_order(k, (enum planted_kind)kind, n);
 }
 
 /* All in one enclosure if there is room for one only. */
@@ -247,11 +322,9 @@ static void test_margins_are_needed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_planted),
-        cmocka_unit_test(test_room),
-        cmocka_unit_test(test_narrow),
-        cmocka_unit_test(test_double_root),
-        cmocka_unit_test(test_margins_are_needed),
+        cmocka_unit_test(test_planted),     cmocka_unit_test(test_order),
+        cmocka_unit_test(test_room),        cmocka_unit_test(test_narrow),
+        cmocka_unit_test(test_double_root), cmocka_unit_test(test_margins_are_needed),
     };
     return cmocka_run_group_tests_name("roots", tests, NULL, NULL);
 }

@@ -146,12 +146,47 @@ static void test_bootstrap_narrows_with_the_sample(void **state)
     assert_true(0.38 <= many / few && many / few <= 0.62);
 }
 
+/* Of 0, 1, ..., 10 in any order: the quantiles are 10 q. */
+static void test_quantiles(void **state)
+{
+    double x[11];
+
+    (void)state;
+    for (int i = 0; i < 11; i++)
+        x[(7 * i) % 11] = i;
+    for (int k = 0; k <= 20; k++)
+        assert_true(fabs(statistics_quantile(11, x, k / 20.0) - k / 2.0) < 1e-12);
+    assert_true(statistics_quantile(1, x, 0.3) == x[0]);
+}
+
+/* Quartiles 2.5 and 7.5, 5 apart: mild beyond 15 or -5, severe beyond 22.5 or -12.5. */
+static void test_outliers(void **state)
+{
+    double x[11];
+    struct outliers found;
+
+    (void)state;
+    for (int i = 0; i < 11; i++)
+        x[i] = i;
+    found = statistics_outliers(11, x);
+    assert_true(found.mild == 0 && found.severe == 0);
+    x[10] = 15.5;
+    found = statistics_outliers(11, x);
+    assert_true(found.mild == 1 && found.severe == 0);
+    x[0] = -13;
+    x[10] = 23;
+    found = statistics_outliers(11, x);
+    assert_true(found.mild == 0 && found.severe == 2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_median_halves_the_sample),
         cmocka_unit_test(test_median_of_even_samples),
         cmocka_unit_test(test_median_and_mad_follow_affine_maps),
+        cmocka_unit_test(test_quantiles),
+        cmocka_unit_test(test_outliers),
         cmocka_unit_test(test_bootstrap_stays_in_the_sample),
         cmocka_unit_test(test_bootstrap_covers_the_median),
         cmocka_unit_test(test_bootstrap_narrows_with_the_sample),

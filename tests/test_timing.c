@@ -104,7 +104,7 @@ static void run_trial(struct trial *trial, bool unchecked, double seconds)
     static const struct intersector *const nobody[] = {NULL};
     char path[] = "/tmp/fatline-timing-XXXXXX";
     struct timing_memory memory;
-    int file = mkstemp(path);
+    int file = mkstemp(path), *timed;
 
     assert_true(file >= 0);
     write_cases(path);
@@ -126,7 +126,8 @@ static void run_trial(struct trial *trial, bool unchecked, double seconds)
     workspace_make(&memory.workspace, nobody, 3, 3, WORKSPACE_ROOM);
     memory.crossings = (struct crossings *)calloc(1, sizeof *memory.crossings);
     timing_run(CASES, trial->at, FAKES, trial->contender, &trial->plan, &memory, trial->timing,
-               &trial->left_out);
+               &trial->left_out, &timed);
+    free(timed);
     free(memory.crossings);
     workspace_clear(&memory.workspace);
 }
@@ -203,8 +204,10 @@ static void test_rows(void **state)
 
     (void)state;
     run_trial(&trial, false, 0);
-    timing_rows_write(stream, "crossings", CASES, trial.left_out, FAKES, trial.contender, trial.timing,
-                      &trial.plan, RIGHT_ALWAYS);
+    struct timing_report report = {"crossings",  CASES,       trial.left_out, FAKES, trial.contender,
+                                   trial.timing, &trial.plan, RIGHT_ALWAYS,   -1,    false,
+                                   NULL};
+    timing_rows_write(stream, &report);
     fclose(stream);
     for (line = strtok(text, "\n"); line; line = strtok(NULL, "\n"), rows++) {
         json_t *row = json_loads(line, 0, NULL);

@@ -39,13 +39,21 @@ static real value_3(const real *a, real t, real *slope)
     return ((a[3] * t + a[2]) * t + a[1]) * t + a[0];
 }
 
-/* Newton's method kept inside [lo, hi], over which the cubic changes sign from vl; power coefficients a. */
-static real root_between(const real *a, real lo, real hi, real vl, real vh)
+/* Power coefficients a if k = 3, Bernstein coefficients if it is higher. */
+static inline real value_slope(int k, const real *a, real t, real *slope)
+{
+    real scratch[BAND_DEGREE_MAX + 1];
+    return k == 3 ? value_3(a, t, slope) : bernstein_value_slope(k, a, t, scratch, slope);
+}
+
+/* Newton's method kept inside [lo, hi], over which the polynomial of value_slope changes sign from vl to vh.
+ */
+static inline real root_between(int k, const real *a, real lo, real hi, real vl, real vh)
 {
     real t = lo + (hi - lo) * (vl / (vl - vh)), slope;
     const real enough = 2 * REAL_EPSILON;
     for (int i = 0; i < REAL_BITS; i++) {
-        real v = value_3(a, t, &slope);
+        real v = value_slope(k, a, t, &slope);
         if (v == 0) {
             return t;
         }
@@ -80,11 +88,48 @@ static int roots_3(const real *c, real *root)
     for (int i = 0; i < pieces; i++) {
         real vh = i + 1 < pieces ? value_3(a, at[i + 1], &slope) : c[3];
         if ((vl < 0) != (vh < 0)) {
-            count = keep_inside(root_between(a, at[i], at[i + 1], vl, vh), root, count);
+            count = keep_inside(root_between(3, a, at[i], at[i + 1], vl, vh), root, count);
         }
         vl = vh;
     }
     return count;
+}
+
+static int guess_roots(int k, const real *c, real *root);
+
+/* Degrees above 3: one root at most between neighbouring roots of the derivative. */
+static int roots_by_slope(int k, const real *c, real *root)
+{
+    real slopes[BAND_DEGREE_MAX], at[BAND_DEGREE_MAX + 1];
+    for (int i = 0; i < k; i++) {
+        slopes[i] = c[i + 1] - c[i];
+    }
+    at[0] = 0;
+    int pieces = guess_roots(k - 1, slopes, at + 1) + 1, count = 0;
+    at[pieces] = 1;
+    real vl = c[0];
+    for (int i = 0; i < pieces; i++) {
+        real vh = i + 1 < pieces ? bernstein_value(k, c, at[i + 1]) : c[k];
+        if ((vl < 0) != (vh < 0)) {
+            count = keep_inside(root_between(k, c, at[i], at[i + 1], vl, vh), root, count);
+        }
+        vl = vh;
+    }
+    return count;
+}
+
+static int guess_roots(int k, const real *c, real *root)
+{
+    switch (k) {
+    case 1:
+        return roots_1(c, root);
+    case 2:
+        return roots_2(c, root);
+    case 3:
+        return roots_3(c, root);
+    default:
+        return roots_by_slope(k, c, root);
+    }
 }
 
 /* ---- proofs ---- */
@@ -118,6 +163,29 @@ static int is_negative_between(const struct polynomial *p, real lo, real hi)
     return is_negative(p->k, part, p->error, 5);
 }
 
+/* The same between the stationary points: halving takes many steps to tell a maximum just below 0 from one at
+ * 0, but over an interval that ends there the Bernstein coefficients of a parabola do not rise above it. */
+static int is_negative_by_parts(const struct polynomial *p, real lo, real hi)
+{
+    real slopes[BAND_DEGREE_MAX], at[BAND_DEGREE_MAX];
+    if (p->k == 1) {
+        return 0;
+    }
+    for (int i = 0; i < p->k; i++) {
+        slopes[i] = p->c[i + 1] - p->c[i];
+    }
+    int count = guess_roots(p->k - 1, slopes, at);
+    for (int i = 0; i < count; i++) {
+        if (at[i] > lo && at[i] < hi) {
+            if (!is_negative_between(p, lo, at[i])) {
+                return 0;
+            }
+            lo = at[i];
+        }
+    }
+    return is_negative_between(p, lo, hi);
+}
+
 /* How far from its root r the polynomial is sure to have left 0: four times the rounding over the slope. */
 static real first_pad(const struct polynomial *p, real r)
 {
@@ -138,7 +206,7 @@ static int prove_gap(const struct polynomial *p, real *lo, real *hi)
         pad_lo = real_min(pad_lo, quarter * width);
         pad_hi = real_min(pad_hi, quarter * width);
         real a = *lo + pad_lo, b = *hi - pad_hi;
-        if (is_negative_between(p, a, b)) {
+        if (is_negative_between(p, a, b) || is_negative_by_parts(p, a, b)) {
             *lo = a;
             *hi = b;
             return 1;
@@ -160,9 +228,13 @@ static void band_add(struct band *b, real lo, real hi)
 }
 
 /* Value by Horner's scheme in power form from monotone coefficients; error at most 16 u max|c| for k <= 3:
- * the power coefficients are at most 6 max|c| in sum and come with 3 roundings. */
+ * the power coefficients are at most 6 max|c| in sum and come with 3 roundings.  Above, by de Casteljau: 3k
+ * u. */
 static inline real value(int k, const real *c, real t)
 {
+    if (k > 3) {
+        return bernstein_value(k, c, t);
+    }
     if (k == 1) {
         return c[0] + (c[1] - c[0]) * t;
     }
@@ -179,7 +251,7 @@ static inline real value(int k, const real *c, real t)
 static inline real before_root(int k, const real *c, real largest)
 {
     real root[BAND_DEGREE_MAX], r;
-    int count = k == 1 ? roots_1(c, root) : k == 2 ? roots_2(c, root) : roots_3(c, root);
+    int count = guess_roots(k, c, root);
     if (count == 0) {
         return c[k] > 0 ? 0 : 1;
     }
@@ -242,7 +314,7 @@ void band_above(int k, const real *c, struct band *out)
     struct polynomial p = {k, c, 8 * k * (REAL_EPSILON / 2) * largest};
     real at[BAND_DEGREE_MAX + 2];
     at[0] = 0;
-    int gaps = 1 + (k == 1 ? roots_1(c, at + 1) : k == 2 ? roots_2(c, at + 1) : roots_3(c, at + 1));
+    int gaps = 1 + guess_roots(k, c, at + 1);
     at[gaps] = 1;
     real from = 0; /* everything in [from, at[i]] is kept so far */
     for (int i = 0; i < gaps; i++) {

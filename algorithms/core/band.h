@@ -1,10 +1,10 @@
-/* Where a polynomial of degree at most 3 may be >= 0: the inversion of a band. */
+/* Where a polynomial of degree at most 5 may be >= 0: the inversion of a band. */
 #ifndef FATLINE_BAND_H
 #define FATLINE_BAND_H
 
 #include "real.h"
 
-enum { BAND_DEGREE_MAX = 3, BAND_PIECES_MAX = 4 };
+enum { BAND_DEGREE_MAX = 5, BAND_PIECES_MAX = 4 };
 
 /* Disjoint closed intervals in [0, 1], in order. */
 struct band {
@@ -12,7 +12,7 @@ struct band {
     real lo[BAND_PIECES_MAX], hi[BAND_PIECES_MAX];
 };
 
-/* A superset of {t in [0, 1] : c(t) >= 0}, k = 1, 2, 3, for the polynomial with exactly these Bernstein
+/* A superset of {t in [0, 1] : c(t) >= 0}, k = 1, ..., 5, for the polynomial with exactly these Bernstein
  * coefficients.  Roots are only guessed; a gap between guesses is left out when its Bernstein coefficients,
  * with the rounding bound of bernstein_restrict, prove the polynomial negative there. */
 void band_above(int k, const real *c, struct band *out);

@@ -17,8 +17,9 @@
 enum { HALVINGS_MAX = 4, NOT_DYADIC = HALVINGS_MAX, PIECES_MAX = 4 };
 
 /* What becomes of a cell: 0 pieces, none of it can hold a solution; k pieces, all its solutions lie in them;
- * HALVE, the cell (its intervals may have been narrowed) is to be halved by the rule of the algorithm. */
-enum { HALVE = -1 };
+ * HALVE, the cell (its intervals may have been narrowed) is to be halved by the rule of the algorithm;
+ * ACCEPT, it is a record as it is, proved to hold exactly one solution. */
+enum { HALVE = -1, ACCEPT = -2 };
 
 struct piece {
     struct interval t, s;
@@ -35,8 +36,13 @@ static inline void observe(const struct workspace *w, enum event e, const struct
         w->watch(w->log, e, c);
     }
 }
+static inline bool is_ignored(const struct workspace *w, const struct cell *c)
+{
+    return w->ignore && w->ignore(w->log, c);
+}
 #else
 #define observe(w, e, c) ((void)0)
+#define is_ignored(w, c) false
 #endif
 
 static inline real interval_width(const struct interval *a)
@@ -182,7 +188,7 @@ static inline bool cell_is_narrow(const struct problem *p, const struct cell *c)
 
 static inline void cell_accept(const struct workspace *w, const struct cell *c, struct crossings *out)
 {
-    struct crossing x = {c->t, c->s, CANDIDATE, 0, 0};
+    struct crossing x = {c->t, c->s, c->proved ? UNIQUE : CANDIDATE, c->proved, c->proved};
     (void)w;
     observe(w, ACCEPTED, c);
     crossings_add(out, &x);
@@ -212,8 +218,13 @@ static inline void cell_halve(const struct problem *p, struct workspace *w, enum
     struct cell *c = &w->cell[w->used - 1];
     bool f, g;
     choose_halves(p, c, rule, &f, &g);
+    if (!f && !g) { /* shrink has made it narrow enough */
+        observe(w, SHRUNK, c);
+        return;
+    }
     observe(w, SPLIT, c);
     c->depth++;
+    c->proved = false;
     struct cell *lower = cell_push(p, w, c);
     if (f) {
         cell_halve_f(p, c, lower);
@@ -244,6 +255,7 @@ static inline void cell_divide(const struct problem *p, struct workspace *w, int
                                const struct piece *piece)
 {
     int at = w->used - 1;
+    w->cell[at].proved = w->cell[at].proved && pieces == 1;
     for (int i = 1; i < pieces; i++) {
         struct cell *c = &w->cell[at], *copy = cell_push(p, w, c);
         cell_copy_f(p, c, copy);
@@ -271,11 +283,16 @@ static inline enum outcome solve_by_shrinking(const struct problem *p, struct wo
     root->t.lo = root->s.lo = 0;
     root->t.hi = root->s.hi = 1;
     root->depth = root->turn = root->halved_f = root->halved_g = 0;
+    root->proved = false;
     cell_cut_f(p, root);
     cell_cut_g(p, root);
     while (w->used > 0) {
         struct cell *c = &w->cell[w->used - 1];
         struct piece piece[PIECES_MAX];
+        if (is_ignored(w, c)) {
+            w->used--;
+            continue;
+        }
         if (w->steps >= p->max_steps) {
             for (; w->used > 0; w->used--) {
                 cell_accept(w, &w->cell[w->used - 1], out);
@@ -284,7 +301,7 @@ static inline enum outcome solve_by_shrinking(const struct problem *p, struct wo
         }
         w->steps++;
         if (cell_is_narrow(p, c)) {
-            if (may_meet(p, c)) {
+            if (c->proved || may_meet(p, c)) {
                 cell_accept(w, c, out);
             } else {
                 observe(w, DISCARDED, c);
@@ -296,8 +313,8 @@ static inline enum outcome solve_by_shrinking(const struct problem *p, struct wo
         if (pieces == 0) {
             observe(w, DISCARDED, c);
             w->used--;
-        } else if (w->used + PIECES_MAX > w->room) {
-            outcome = OUT_OF_ROOM;
+        } else if (pieces == ACCEPT || w->used + PIECES_MAX > w->room) {
+            outcome = pieces == ACCEPT ? outcome : OUT_OF_ROOM;
             cell_accept(w, c, out);
             w->used--;
         } else if (pieces == HALVE) {

@@ -24,7 +24,7 @@ void curve_derivatives(int n, const real *x, const real *y, const real *w, real 
  * affine maps of it).
  * L2, normalised by the length of the interval: sqrt of sum a_i a_j C(n,i) C(n,j) / ((2n+1) C(2n,i+j)), exact
  * but for rounding: relative error at most (n^2 + 12 n + 12) u where no cancellation occurs, in general
- * absolute error of the square at most (n^2 + 12 n + 12) u S^2. */
+ * absolute error of the square at most (n^2 + 12 n + 12) u max|a_i|^2. */
 real norm_l2(int n, const real *x, const real *y);
 /* Enclosure of max |f(t)|: lo <= max <= hi (1 + 16 n u), narrowed by `levels` halvings where the control
  * points still rise above the best point found; hi - lo falls like 4^-levels.  levels <= 16. */

@@ -38,27 +38,46 @@ static void add_to_entries(int d, int e, int i, int j, int q, real value, real e
     }
 }
 
-/* Coefficient q of every entry.  With differences x, y of the control points, true to within delta + u |x|,
- * the value x_j y_i - x_i y_j of L has the error (|x_j| + |y_i| + |x_i| + |y_j| + 2 delta) delta
- * + 3u (|x_j y_i| + |x_i y_j|) + u |L|; its weights add 6u |L|, and the sum of at most d terms d u |L|. */
+struct place {
+    real x, y;
+};
+
+/* The ball of x_j y_i - x_i y_j for points j and i relative to the third, true to within delta + u |x|.  It
+ * is D_x y_k - x_k D_y with the side D = j - i, true to within side_error + u |D|, and the nearer end k, so
+ * that it keeps its digits where a is small against its distance.  Error of the value: (|x_k| + |y_k| +
+ * delta) side_error
+ * + (|D_x| + |D_y|) delta + 3u (|D_x y_k| + |x_k D_y|) + u |value|. */
+static real triangle(const struct place *j, const struct place *i, const struct place *side, real delta,
+                     real side_error, real *error)
+{
+    real at_i = real_abs(i->x) + real_abs(i->y), at_j = real_abs(j->x) + real_abs(j->y);
+    const struct place *k = at_i <= at_j ? i : j;
+    real first = side->x * k->y, second = k->x * side->y;
+    *error = (real_min(at_i, at_j) + delta) * side_error + (real_abs(side->x) + real_abs(side->y)) * delta +
+             3 * (REAL_EPSILON / 2) * (real_abs(first) + real_abs(second));
+    return first - second;
+}
+
+/* Coefficient q of every entry: balls of L with weights, which add 6u |L|; the sum of at most d of them adds
+ * d u |L|. */
 static void add_coefficient(const struct polygon *a, const struct polygon *b, int q, real *m)
 {
     const real u = REAL_EPSILON / 2;
     const int d = a->degree;
     const real delta = a->error + b->error, factor = scaled_weight(b, q);
-    real x[POINTS_MAX], y[POINTS_MAX], w[POINTS_MAX];
+    struct place p[POINTS_MAX];
+    real w[POINTS_MAX];
     for (int i = 0; i <= d; i++) {
-        x[i] = a->x[i] - b->x[q];
-        y[i] = a->y[i] - b->y[q];
+        p[i].x = a->x[i] - b->x[q];
+        p[i].y = a->y[i] - b->y[q];
         w[i] = scaled_weight(a, i);
     }
     for (int i = 0; i < d; i++) {
         for (int j = i + 1; j <= d; j++) {
-            real first = x[j] * y[i], second = x[i] * y[j], weight = factor * w[i] * w[j];
-            real sum = real_abs(x[i]) + real_abs(y[i]) + real_abs(x[j]) + real_abs(y[j]);
-            real value = first - second;
-            real error = (sum + 2 * delta) * delta + 3 * u * (real_abs(first) + real_abs(second)) +
-                         (7 + d) * u * real_abs(value);
+            const struct place side = {a->x[j] - a->x[i], a->y[j] - a->y[i]};
+            real weight = factor * w[i] * w[j], error;
+            real value = triangle(&p[j], &p[i], &side, delta, 2 * a->error, &error);
+            error += (7 + d) * u * real_abs(value);
             add_to_entries(d, b->degree, i, j, q, weight * value, weight * error, m);
         }
     }
@@ -66,8 +85,9 @@ static void add_coefficient(const struct polygon *a, const struct polygon *b, in
 
 void implicit_matrix(const struct polygon *a, const struct polygon *b, real *m)
 {
-    for (int i = 0; i < a->degree * a->degree * 2 * (b->degree + 1); i++) {
-        m[i] = 0;
+    const int length = b->degree + 1;
+    for (int i = 0; i < a->degree * a->degree * 2 * length; i++) {
+        m[i] = i / length % 2 ? REAL_LEAST : (real)0; /* what underflow may take */
     }
     for (int q = 0; q <= b->degree; q++) {
         add_coefficient(a, b, q, m);
@@ -113,7 +133,7 @@ static void expand_minors(int d, int e, const real *m, int first, int step, int 
         real *minor = table + (size_t)set * pitch;
         int row = first + step * (size - 1), length = size * e + 1, sign = size % 2 ? 1 : -1;
         for (int i = 0; i < 2 * length; i++) {
-            minor[i] = 0;
+            minor[i] = i < length ? (real)0 : REAL_LEAST; /* more than underflow takes from fewer products */
         }
         for (int k = 0; k < d; k++) {
             if (set >> k & 1) {
@@ -132,7 +152,7 @@ void implicit_unscale(int n, const real *scaled, real *c, real *error)
     for (int k = 0; k <= n; k++) {
         c[k] = scaled[k] / factor;
         error[k] = scaled[n + 1 + k] / factor + (2 * n + 1) * (REAL_EPSILON / 2) * real_abs(c[k]);
-        error[k] += error[k] / 64;                       /* the rounding of the bound itself */
+        error[k] += error[k] / 64 + REAL_LEAST;          /* the rounding of the bound itself; underflow */
         factor = factor * (real)(n - k) / (real)(k + 1); /* 2u each */
     }
 }
@@ -203,7 +223,7 @@ static struct ratio cofactor_ratio(int d, const real *m, int step, real *table)
 static enum inversion narrow_by_ratio(const struct ratio *r, real *lo, real *hi)
 {
     real top = real_abs(r->top), bottom = real_abs(r->bottom);
-    if (bottom <= r->bottom_error) {
+    if (!(bottom > r->bottom_error)) {
         return top - r->top_error > bottom + r->bottom_error ? NOWHERE : AMBIGUOUS;
     }
     real u = r->top / r->bottom;

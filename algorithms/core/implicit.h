@@ -15,24 +15,26 @@
 
 #include "real.h"
 
-/* Euclidean control points with weights (exact, > 0; NULL: all 1).  What is meant is any curve within `error`
- * of this one in each coordinate, as control points or as points. */
+/* Euclidean control points with weights (exact, in (0, 2]; NULL: all 1).  What is meant is any curve within
+ * `error` of this one in each coordinate, as control points or as points. */
 struct polygon {
     int degree;
     const real *x, *y, *w;
     real error;
 };
 
-/* Greatest degree of the curve that is made implicit: minors are expanded without division (2^d d products of
- * polynomials); at REAL_BITS that can afford to lose one bit a degree, larger ones are interpolated. */
+/* Greatest degree of the curve that is made implicit; the other may have any.  Double 8, quad 10: minors are
+ * expanded without division, 2^d d products of polynomials, and a resultant of higher degree has more digits
+ * than the number type.  Multi 32: above 4 the determinant is interpolated, which loses a bit or two for each
+ * of its d e degrees. */
 int implicit_degree_max(void);
 
 /* Coefficients c[0..N], N = a.degree b.degree, of det M(b(v)), times the positive weight of b to the power
- * a.degree, in Bernstein form over v in [0, 1].  Returns a bound on the error of every coefficient.  It
- * covers rounding and the errors of both polygons: for any true curves within them, the true polynomial has
- * its coefficients within the bound if they err as control points; if they err as points, then so has, for
- * each u, the polynomial of b moved by their difference at u.  In both cases v is among its roots if a(u) =
- * b(v).  a.degree <= implicit_degree_max(). */
+ * a.degree, in Bernstein form over v in [0, 1].  error[k] bounds the error of c[k].  It covers rounding and
+ * the errors of both polygons: for any true curves within them, the true polynomial has its coefficients
+ * within the bounds if they err as control points; if they err as points, then so has, for each u, the
+ * polynomial of b moved by their difference at u. In both cases v is among its roots if a(u) = b(v). a.degree
+ * <= implicit_degree_max(). */
 void implicit_resultant(const struct polygon *a, const struct polygon *b, real *scratch, real *c,
                         real *error);
 size_t implicit_scratch(int d, int e); /* also for all lower degrees, and for implicit_invert */

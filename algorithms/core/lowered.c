@@ -44,31 +44,63 @@ static bool reduce_to(int k, const struct arc *c, real scale, struct lowered *s)
     return s->polygon.error <= 32 * n * REAL_EPSILON * scale;
 }
 
-void lowered_init(const struct arc *c, real scale, struct lowered *s)
+/* What follows from the homogeneous coordinates, which err by `error` in the plane. */
+static void complete(struct lowered *s, int n, real error)
 {
-    int n = c->degree;
-    s->components = c->w ? 3 : 2;
-    s->reduced = false;
-    if (n > 1 && may_be_reduced(c, scale)) {
-        for (int k = 1; k <= REDUCED_MAX && k < n && !s->reduced; k++) {
-            s->reduced = reduce_to(k, c, scale, s);
-            n = s->reduced ? k : n;
+    const real *w = s->components == 3 ? s->homogeneous + 2 * (n + 1) : NULL;
+    s->extent = s->size = 0;
+    for (int k = 0; k < 2; k++) {
+        real *e = s->euclidean + k * (n + 1), lo = REAL_HUGE, hi = -REAL_HUGE;
+        for (int i = 0; i <= n; i++) {
+            e[i] = s->homogeneous[k * (n + 1) + i];
+            e[i] = w ? e[i] / w[i] : e[i];
+            lo = real_min(lo, e[i]);
+            hi = real_max(hi, e[i]);
         }
-    }
-    for (int i = 0; !s->reduced && i < s->components * (n + 1); i++) {
-        const real *p = i <= n ? c->x : i <= 2 * n + 1 ? c->y : c->w;
-        s->homogeneous[i] = p[i % (n + 1)];
-    }
-    const real *h = s->homogeneous;
-    s->extent = 0;
-    for (int i = 0; i < 2 * (n + 1); i++) {
-        s->euclidean[i] = c->w ? h[i] / h[2 * (n + 1) + i % (n + 1)] : h[i];
-        s->extent = real_max(s->extent, real_abs(s->euclidean[i]));
+        s->extent = real_max(s->extent, real_max(real_abs(lo), real_abs(hi)));
+        s->size = real_max(s->size, hi - lo);
     }
     s->polygon.degree = n;
     s->polygon.x = s->euclidean;
     s->polygon.y = s->euclidean + n + 1;
-    s->polygon.w = c->w ? h + 2 * (n + 1) : NULL;
-    s->polygon.error = (s->reduced ? s->polygon.error : (real)0) + c->error;
-    s->polygon.error += c->w ? REAL_EPSILON * s->extent : 0; /* quotients, rounded */
+    s->polygon.w = w;
+    s->polygon.error = error + (w ? REAL_EPSILON * s->extent : (real)0); /* quotients, rounded */
+}
+
+void lowered_take(const struct arc *c, struct lowered *s)
+{
+    const int n = c->degree;
+    s->components = c->w ? 3 : 2;
+    s->reduced = false;
+    for (int i = 0; i < s->components * (n + 1); i++) {
+        const real *p = i <= n ? c->x : i <= 2 * n + 1 ? c->y : c->w;
+        s->homogeneous[i] = p[i % (n + 1)];
+    }
+    complete(s, n, c->error);
+}
+
+void lowered_init(const struct arc *c, real scale, struct lowered *s)
+{
+    s->components = c->w ? 3 : 2;
+    s->reduced = false;
+    if (c->degree > 1 && may_be_reduced(c, scale)) {
+        for (int k = 1; k <= REDUCED_MAX && k < c->degree; k++) {
+            s->reduced = reduce_to(k, c, scale, s);
+            if (s->reduced) {
+                complete(s, k, c->error + s->polygon.error);
+                return;
+            }
+        }
+    }
+    lowered_take(c, s);
+}
+
+/* Cutting errs by 8n u |x| (bernstein.h), in quotients twice. */
+void lowered_cut(const struct lowered *s, real lo, real hi, struct lowered *part)
+{
+    const int n = s->polygon.degree;
+    part->components = s->components;
+    part->reduced = true;
+    bernstein_restrict(n, s->components, s->homogeneous, lo, hi, part->homogeneous);
+    complete(part, n, s->polygon.error + 4 * (s->components - 1) * n * REAL_EPSILON * s->extent);
 }

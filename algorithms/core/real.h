@@ -1,8 +1,9 @@
 /* The number type of this build: IEEE double, IEEE binary128, or 2,048 bits over MPFR.
  *
  * One text serves all three, so it keeps to the common part of C11 and C++20 (CONTRIBUTING.md, "The number
- * type").  Rounding is to nearest everywhere; |fl(a op b) - (a op b)| <= (REAL_EPSILON / 2) |a op b| for + - * /
- * and real_sqrt, barring underflow. */
+ * type").  Rounding is to nearest everywhere; |fl(a op b) - (a op b)| <= (REAL_EPSILON / 2) |a op b| for + -
+ * * / and real_sqrt, barring underflow: a result below REAL_LEAST errs by up to (REAL_EPSILON / 2)
+ * REAL_LEAST. */
 #ifndef FATLINE_REAL_H
 #define FATLINE_REAL_H
 
@@ -23,6 +24,7 @@ typedef __float128 real;
 #define REAL_BITS 113
 #define REAL_EPSILON FLT128_EPSILON
 #define REAL_HUGE FLT128_MAX
+#define REAL_LEAST FLT128_MIN
 
 static inline real real_abs(real a)
 {
@@ -61,6 +63,7 @@ typedef double real;
 #define REAL_BITS 53
 #define REAL_EPSILON DBL_EPSILON
 #define REAL_HUGE DBL_MAX
+#define REAL_LEAST DBL_MIN
 
 static inline real real_abs(real a)
 {

@@ -224,5 +224,6 @@ int real_is_finite(const real &a);
 
 #define REAL_EPSILON (real::power_of_two(-2047))
 #define REAL_HUGE (real::huge())
+#define REAL_LEAST (real::power_of_two(-(1 << 29)))
 
 #endif

@@ -1,12 +1,18 @@
 #include "roots.h"
 
 #include "bernstein.h"
+#include "zeros.h"
 
-enum { STACK_MAX = REAL_BITS + 16 }; /* intervals waiting: one for each halving of [0, 1] */
+enum {
+    STACK_MAX = REAL_BITS + 16, /* intervals waiting: one for each halving of [0, 1] */
+    REDUCED_TO_MAX = 3
+};
 
+/* Also for all lower degrees, which may be reduced where n is too high. */
 size_t roots_scratch(int n)
 {
-    return 3 * ((size_t)n + 1) + 2 * STACK_MAX;
+    int reduced = n < ZEROS_DEGREE_MAX ? n : ZEROS_DEGREE_MAX;
+    return 3 * ((size_t)n + 1) + 2 * STACK_MAX + reduction_length(reduced, REDUCED_TO_MAX);
 }
 
 /* Left end, times n, of {hull of (i, sign c[i] - error) is not above 0}, if sign c[0] > error; else 0.  It
@@ -37,7 +43,7 @@ static real first_crossing(int n, const real *c, int step, real error)
 /* Narrows [lo, hi], over which c are the coefficients, to where the hull of the band meets 0; false: nowhere.
  * The quotients have relative error 3u, their sum with i and the division by n two more: 5u <= 4 eps of the
  * width; the map to [lo, hi] adds 3u of the width and u of the result. */
-static bool clip(int n, const real *c, real error, real *lo, real *hi)
+static bool clip_hull(int n, const real *c, real error, real *lo, real *hi)
 {
     real left = first_crossing(n, c, 1, error);
     if (left > n) {
@@ -89,6 +95,7 @@ struct band {
     const real *c;
     real *error, *cut, *cut_error;
     real noise;
+    const struct reduction *reduction; /* NULL: clip by hulls */
 };
 
 /* Errors of the coefficients over a cell; returns the largest. */
@@ -131,61 +138,159 @@ static int keep(real lo, real hi, int count, int room, struct root *out)
     return count + 1;
 }
 
-/* Narrows a cell; 0: it is empty, 1: it may become narrower yet, 2: the errors forbid it.  Errors over the
- * cell itself are looked at where those over [0, 1] are too large. */
-static int shrink(const struct band *b, real *lo, real *hi)
+/* Pieces of [lo, hi], over which the coefficients are those of cut, that may hold roots. */
+static int clip(const struct band *b, real error, real lo, real hi, struct interval piece[ZEROS_PIECES_MAX])
 {
-    const real left = *lo, right = *hi;
-    bernstein_restrict(b->n, 1, b->c, left, right, b->cut);
-    if (!clip(b->n, b->cut, b->noise, lo, hi)) {
-        return 0;
+    if (!b->reduction) {
+        piece[0].lo = lo;
+        piece[0].hi = hi;
+        return clip_hull(b->n, b->cut, error, &piece[0].lo, &piece[0].hi);
     }
-    real size = largest(b->n, b->cut);
-    if (size > 8 * b->noise) {
-        return 1;
+    int count = zeros_by_reduction(b->reduction, b->cut, error, piece);
+    real width = hi - lo,
+         pad = 2 * hi * REAL_EPSILON; /* the map to [lo, hi]: 3u of the width, u of the result */
+    for (int i = 0; i < count; i++) {
+        piece[i].lo = piece[i].lo > 0 ? real_max(lo, lo + width * piece[i].lo - pad) : lo;
+        piece[i].hi = piece[i].hi < 1 ? real_min(hi, lo + width * piece[i].hi + pad) : hi;
     }
-    real noise = cut_errors(b, left, right);
-    *lo = left;
-    *hi = right;
-    return !clip(b->n, b->cut, noise, lo, hi) ? 0 : size > 2 * noise ? 1 : 2;
+    return count;
 }
 
-/* Every cell is cut from c itself between its exact ends, so that rounding does not grow with the depth. */
-int roots_find(int n, const real *c, const real *error, real tolerance, real *scratch, int room,
-               struct root *out)
+/* Clips a cell; *final: the errors forbid that it become narrower yet.  Errors over the cell itself are
+ * looked at where those over [0, 1] are too large. */
+static int shrink(const struct band *b, real lo, real hi, struct interval piece[ZEROS_PIECES_MAX],
+                  bool *final)
 {
-    struct band b = {n, c, scratch, scratch + n + 1, scratch + 2 * (n + 1), 0};
-    real *stack = scratch + 3 * (n + 1);
+    bernstein_restrict(b->n, 1, b->c, lo, hi, b->cut);
+    int count = clip(b, b->noise, lo, hi, piece);
+    real size = largest(b->n, b->cut);
+    *final = false;
+    if (count == 0 || size > 8 * b->noise) {
+        return count;
+    }
+    real noise = cut_errors(b, lo, hi);
+    *final = size <= 2 * noise;
+    return clip(b, noise, lo, hi, piece);
+}
+
+/* If one piece is more than `most` of the width: both halves of what all pieces span. */
+static int halve_if_wide(real most, real width, int count, struct interval piece[ZEROS_PIECES_MAX])
+{
+    real widest = 0;
+    for (int i = 0; i < count; i++) {
+        widest = real_max(widest, piece[i].hi - piece[i].lo);
+    }
+    if (widest <= most * width) {
+        return count;
+    }
+    real lo = piece[0].lo, hi = piece[count - 1].hi, middle = lo + (hi - lo) / 2;
+    piece[0].hi = piece[1].lo = middle;
+    piece[1].hi = hi;
+    return 2;
+}
+
+/* A piece that needs no more work, or can have none. */
+static bool is_done(const struct interval *a, real tolerance)
+{
+    real middle = a->lo + (a->hi - a->lo) / 2;
+    return a->hi - a->lo <= tolerance || middle <= a->lo || middle >= a->hi;
+}
+
+/* Every cell is cut from c itself between its exact ends, so that rounding does not grow with the depth.
+ * `most`: what a clip may leave without being halved. */
+static int search(const struct band *b, real tolerance, real most, real *stack, int room, struct root *out,
+                  struct root_search *log)
+{
     int waiting = 1, count = 0;
+    stack[0] = 0;
+    stack[1] = 1;
+    while (waiting > 0) {
+        real lo = stack[2 * --waiting], hi = stack[2 * waiting + 1];
+        struct interval piece[ZEROS_PIECES_MAX + 1];
+        bool final, full = waiting + ZEROS_PIECES_MAX > STACK_MAX;
+        if (log) {
+            log->clips++;
+        }
+        if (log && log->watch) {
+            log->watch(log->log, lo, hi);
+        }
+        int pieces = shrink(b, lo, hi, piece, &final), done = 0;
+        while (done < pieces && (final || full || is_done(&piece[done], tolerance))) {
+            count = keep(piece[done].lo, piece[done].hi, count, room, out);
+            done++;
+        }
+        if (done < pieces) {
+            pieces = done + halve_if_wide(most, hi - lo, pieces - done, piece + done);
+        }
+        for (int i = pieces - 1; i >= done; i--) {
+            stack[2 * waiting] = piece[i].lo;
+            stack[2 * waiting++ + 1] = piece[i].hi;
+        }
+    }
+    return count;
+}
+
+static int find(int n, const real *c, const real *error, real tolerance, real *scratch, int room,
+                struct root *out, const struct reduction *reduction, real most, struct root_search *log)
+{
+    struct band b = {n, c, scratch, scratch + n + 1, scratch + 2 * (n + 1), 0, reduction};
     for (int i = 0; i <= n; i++) {
         b.error[i] = error[i] + 4 * n * REAL_EPSILON * real_abs(c[i]);
         b.error[i] += b.error[i] / 64; /* the rounding of the bounds themselves, and of cutting them */
     }
     b.noise = largest(n, b.error);
-    stack[0] = 0;
-    stack[1] = 1;
-    while (waiting > 0) {
-        real lo = stack[2 * --waiting], hi = stack[2 * waiting + 1], width = hi - lo;
-        int may_shrink = shrink(&b, &lo, &hi);
-        if (may_shrink == 0) {
-            continue;
-        }
-        real middle = lo + (hi - lo) / 2;
-        bool stuck = waiting + 2 > STACK_MAX || middle <= lo || middle >= hi;
-        if (hi - lo <= tolerance || stuck || may_shrink == 2) {
-            count = keep(lo, hi, count, room, out);
-            continue;
-        }
-        if (5 * (hi - lo) > 4 * width) {
-            stack[2 * waiting] = middle;
-            stack[2 * waiting++ + 1] = hi;
-            hi = middle;
-        }
-        stack[2 * waiting] = lo;
-        stack[2 * waiting++ + 1] = hi;
-    }
+    int count = search(&b, tolerance, most, scratch + 3 * (n + 1), room, out, log);
     for (int i = 0; i < count; i++) {
         count_roots(&b, i > 0 ? out[i - 1].hi : 0, i + 1 < count ? out[i + 1].lo : 1, &out[i]);
     }
     return count;
+}
+
+/* ---- the finders ---- */
+
+static int find_by_hull(int n, const real *c, const real *error, real tolerance, real *scratch, int room,
+                        struct root *out, struct root_search *log)
+{
+    return find(n, c, error, tolerance, scratch, room, out, NULL, (real)4 / 5, log);
+}
+
+static int find_by_reduction(int k, int n, const real *c, const real *error, real tolerance, real *scratch,
+                             int room, struct root *out, struct root_search *log)
+{
+    struct reduction reduction;
+    if (n > ZEROS_DEGREE_MAX) {
+        return find_by_hull(n, c, error, tolerance, scratch, room, out, log);
+    }
+    reduction_init(&reduction, n, k, scratch + 3 * (n + 1) + 2 * STACK_MAX);
+    return find(n, c, error, tolerance, scratch, room, out, &reduction, (real)1 / 2, log);
+}
+
+static int find_by_quadratic(int n, const real *c, const real *error, real tolerance, real *scratch, int room,
+                             struct root *out, struct root_search *log)
+{
+    return find_by_reduction(2, n, c, error, tolerance, scratch, room, out, log);
+}
+
+static int find_by_cubic(int n, const real *c, const real *error, real tolerance, real *scratch, int room,
+                         struct root *out, struct root_search *log)
+{
+    return find_by_reduction(3, n, c, error, tolerance, scratch, room, out, log);
+}
+
+static const struct root_finder hull = {
+    "hull", "Sederberg and Nishita, Curve intersection using Bezier clipping, 1990", find_by_hull};
+static const struct root_finder quadratic = {
+    "quadratic", "Barton and Juttler, Computing roots of polynomials by quadratic clipping, 2007",
+    find_by_quadratic};
+static const struct root_finder cubic = {
+    "cubic",
+    "Liu, Zhang, Lin and Wang, Fast approach for computing roots of polynomials using cubic clipping, 2009",
+    find_by_cubic};
+
+const struct root_finder *const root_finders[] = {&hull, &quadratic, &cubic, NULL};
+
+int roots_find(int n, const real *c, const real *error, real tolerance, real *scratch, int room,
+               struct root *out)
+{
+    return find_by_hull(n, c, error, tolerance, scratch, room, out, NULL);
 }

@@ -10,6 +10,11 @@ const char *spline_check(const struct spline *s)
     if (s->count < s->degree + 1) {
         return "fewer control points than degree + 1";
     }
+    for (int i = 0; i <= s->count + s->degree; i++) {
+        if (!real_is_finite(s->knots[i])) {
+            return "a knot is not finite";
+        }
+    }
     int run = 1;
     for (int i = 1; i <= s->count + s->degree; i++) {
         if (!(s->knots[i - 1] <= s->knots[i])) {

@@ -110,15 +110,17 @@ static inline void reduce_vector(const struct reduction *r, const struct strip *
     int components = a->w ? 3 : 2, length = a->degree + 1, reduced = r->k + 1;
     const real *qx = q, *qy = q + reduced, *qw = q + 2 * reduced;
     reduction_apply(r, components, a->x, q);
-    real largest = max_norm(components * reduced, q);
     real level = real_max(real_abs(s->lo), real_abs(s->hi));
-    real delta = 0;
+    real delta = 0, largest; /* >= max |q| */
     if (r->reduce) {
         real bound = reduction_residual(r, components, a->x, q, rest);
         delta = planar_norm(a->degree, rest, rest + length) + 2 * bound;
         if (a->w) {
             delta = delta + level * (max_norm(length, rest + 2 * length) + bound);
         }
+        largest = bound / (2 * REAL_EPSILON); /* bound >= (k + 4) u max |q| */
+    } else {
+        largest = max_norm(components * reduced, q);
     }
     delta = delta + 4 * REAL_EPSILON * (delta + (s->norm + level) * largest + level);
     for (int i = 0; i < reduced; i++) {

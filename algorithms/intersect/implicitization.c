@@ -7,7 +7,7 @@
  * it, and u in an interval for all v of an enclosure.  Where these bounds decide nothing, the answer is
  * UNSUPPORTED. */
 #include "../bezier.h"
-#include "../core/bernstein.h"
+#include "../core/contact.h"
 #include "../core/implicit.h"
 #include "../core/krawczyk.h"
 #include "../core/lowered.h"
@@ -15,19 +15,22 @@
 #include "../core/roots.h"
 #include "../crossings.h"
 
-enum { ROOTS_MAX = DEGREE_MAX * DEGREE_MAX + 1 };
+enum { ROOTS_MAX = DEGREE_MAX * DEGREE_MAX + 1, DEPTH_MAX = 16 };
 
 struct state {
     const struct bounds *bounds;
     struct arc f, g;
     struct crossings *out;
-    struct lowered side[2];
-    const struct lowered *a, *b;
+    struct lowered given[2], side[2];
+    const struct lowered *a_given, *b_given; /* as they are */
+    const struct lowered *a, *b;             /* in their lowest degrees, for the resultant */
+    struct interval place;                   /* of the part of b whose polynomial is solved */
+    struct lowered part;
     bool a_is_f;
     real tolerance_u, tolerance_v;
     int degree; /* of the resultant */
     real *scratch;
-    bool undecided;
+    enum outcome outcome;
 };
 
 /* ---- records ---- */
@@ -62,8 +65,8 @@ static bool cut_to_domain(struct interval *t, bool *inside)
     return t->lo <= t->hi;
 }
 
-/* A zero of multiplicity k moves by the k-th root of a relative error: 2^20 eps is the most that is let pass.
- */
+/* A zero of multiplicity k moves by the k-th root of a relative error: up to 2^20 eps it is told where it may
+ * be. */
 static bool is_no_wider_than_conditioning(real width, int k)
 {
     real power = 1;
@@ -103,40 +106,81 @@ static enum proof settle(const struct state *z, struct interval *u, struct inter
         x->t = z->a_is_f ? *u : *v;
         x->s = z->a_is_f ? *v : *u;
         proof = krawczyk_narrow(&z->f, &z->g, &x->t, &x->s);
-        if (proof == UNDECIDED && (!clip_to_patch(z, z->a, u, z->b, z->tolerance_v / 8, v) ||
-                                   !clip_to_patch(z, z->b, v, z->a, z->tolerance_u / 8, u))) {
+        if (proof == UNDECIDED && (!clip_to_patch(z, z->a_given, u, z->b_given, z->tolerance_v / 8, v) ||
+                                   !clip_to_patch(z, z->b_given, v, z->a_given, z->tolerance_u / 8, u))) {
             proof = NO_ZERO;
         }
+    }
+    if (proof == UNDECIDED) {
+        x->t = z->a_is_f ? *u : *v;
+        x->s = z->a_is_f ? *v : *u;
     }
     return proof;
 }
 
-/* A box that stays undecided: a cluster where the resultant bounds the number of zeros. */
-static void add_undecided(struct state *z, const struct root *r, struct crossing *x)
+/* A box of at most k zeros.  Where it is wider than asked, and not for a proved zero's conditioning only, the
+ * precision is exhausted: the answer goes no further than its records. */
+static void admit(struct state *z, int k, const struct crossing *x)
 {
     real t = x->t.hi - x->t.lo, s = x->s.hi - x->s.lo;
-    if (!z->a->reduced && !z->b->reduced && is_no_wider_than_conditioning(real_max(t, s), r->at_most)) {
-        x->standing = CLUSTER;
-        x->at_most = r->at_most;
-    } else if (t > z->bounds->tolerance_t || s > z->bounds->tolerance_s) {
-        z->undecided = true;
+    bool narrow = t <= z->bounds->tolerance_t && s <= z->bounds->tolerance_s;
+    bool sharp = is_no_wider_than_conditioning(real_max(t, s), k);
+    if (!narrow && (x->standing == CANDIDATE || !sharp)) {
+        z->outcome = !sharp && x->standing == CANDIDATE ? UNSUPPORTED
+                     : z->outcome == SOLVED             ? OUT_OF_STEPS
+                                                        : z->outcome;
     }
     crossings_add(z->out, x);
 }
 
+/* A box that stays undecided, because there is a contact or next to one, or none by less than rounding. */
+static void admit_undecided(struct state *z, const struct root *r, struct crossing *x)
+{
+    if (!z->a->reduced && !z->b->reduced && z->place.hi - z->place.lo == 1) {
+        x->at_most = r->at_most;
+    }
+    admit(z, r->at_most, x);
+}
+
+static void record(struct state *z, const struct root *r, struct interval u, struct interval v, int depth);
+
+/* Next to a contact: where the gap between the arcs may vanish.  false: that is no narrower than the box. */
+static bool divide_by_gap(struct state *z, const struct root *r, const struct interval *u,
+                          const struct interval *v, int depth)
+{
+    struct contact_piece piece[CONTACT_DEGREE_MAX + 1];
+    const real before = u->hi - u->lo + v->hi - v->lo;
+    real after = 0;
+    int count = contact_meet(z->b_given, v, z->a_given, u, z->tolerance_v / 8, z->scratch, piece);
+    bool by_a = count < 0; /* a has a cusp there: then along b */
+    if (by_a) {
+        count = contact_meet(z->a_given, u, z->b_given, v, z->tolerance_u / 8, z->scratch, piece);
+    }
+    for (int i = 0; i < count; i++) {
+        after += piece[i].t.hi - piece[i].t.lo + piece[i].s.hi - piece[i].s.lo;
+    }
+    if (count < 0 || 8 * after > 7 * before) {
+        return false;
+    }
+    for (int i = 0; i < count; i++) {
+        record(z, r, by_a ? piece[i].t : piece[i].s, by_a ? piece[i].s : piece[i].t, depth + 1);
+    }
+    return true;
+}
+
 /* Records what the box u x v holds. */
-static void record(struct state *z, const struct root *r, struct interval u, struct interval v)
+static void record(struct state *z, const struct root *r, struct interval u, struct interval v, int depth)
 {
     struct crossing x = {u, v, CANDIDATE, 0, 0};
     bool inside = true;
     enum proof proof = settle(z, &u, &v, &x);
-    if (proof == UNDECIDED) {
-        add_undecided(z, r, &x);
+    if (proof == UNDECIDED && (depth >= DEPTH_MAX || !divide_by_gap(z, r, &u, &v, depth))) {
+        admit_undecided(z, r, &x);
     } else if (proof == ONE_ZERO && cut_to_domain(&x.t, &inside) && cut_to_domain(&x.s, &inside) &&
                !is_known(z, &x.t, &x.s)) {
         x.standing = inside ? UNIQUE : END;
         x.at_most = x.multiplicity = 1;
-        crossings_add(z->out, &x);
+        admit(z, 1, &x);
     }
 }
 
@@ -146,17 +190,17 @@ static void solve_root(struct state *z, const struct root *r)
     struct interval u[MEETINGS_MAX], v = {r->lo, r->hi};
     struct patch h;
     int count = 1;
-    patch_cut(z->b, r->lo, r->hi, &h);
+    patch_cut(z->b_given, r->lo, r->hi, &h);
     enum inversion found =
         implicit_invert(&z->a->polygon, h.px, h.py, h.radius, z->scratch, &u[0].lo, &u[0].hi);
     if (found == NOWHERE) {
         return;
     }
     if (found == AMBIGUOUS) {
-        count = patch_meet(&h, z->a, z->tolerance_u / 8, z->scratch, u);
+        count = patch_meet(&h, z->a_given, z->tolerance_u / 8, z->scratch, u);
     }
     for (int i = 0; i < count; i++) {
-        record(z, r, u[i], v);
+        record(z, r, u[i], v, 0);
     }
 }
 
@@ -167,7 +211,44 @@ static struct arc arc_of_curve(const struct curve *c, real scale)
     return a;
 }
 
-static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+/* Is a to be made implicit, rather than b?  The lower degree costs less; a larger curve is better
+ * conditioned. */
+static bool is_easier(const struct lowered *a, const struct lowered *b)
+{
+    return a->polygon.degree != b->polygon.degree ? a->polygon.degree < b->polygon.degree
+                                                  : a->size >= b->size;
+}
+
+/* Restricts b to where it may meet a, if it is far larger: else its polynomial would say little of what
+ * happens at a. The part's place in b is z->place.  false: it meets a nowhere. */
+static bool choose_part(struct state *z)
+{
+    const struct interval all = {0, 1};
+    z->place = all;
+    if (z->b->size <= 16 * z->a->size) {
+        return true;
+    }
+    if (!clip_to_patch(z, z->a, &all, z->b, (real)1 / 1024, &z->place)) {
+        return false;
+    }
+    lowered_cut(z->b, z->place.lo, z->place.hi, &z->part);
+    return true;
+}
+
+/* From the part's parameters to b's: three roundings of at most u hi. */
+static struct root to_place(const struct interval *place, const struct root *r)
+{
+    struct root b = *r;
+    real width = place->hi - place->lo, pad = 2 * REAL_EPSILON * place->hi;
+    if (place->lo > 0 || place->hi < 1) {
+        b.lo = real_max(place->lo, place->lo + width * r->lo - pad);
+        b.hi = real_min(place->hi, place->lo + width * r->hi + pad);
+    }
+    return b;
+}
+
+static enum outcome intersect_by(const struct root_finder *finder, const struct problem *p,
+                                 struct workspace *w, struct crossings *out)
 {
     struct state z;
     struct root root[ROOTS_MAX];
@@ -175,10 +256,14 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
     z.f = arc_of_curve(&p->f, p->bounds.scale);
     z.g = arc_of_curve(&p->g, p->bounds.scale);
     z.out = out;
-    z.undecided = false;
+    z.outcome = SOLVED;
     lowered_init(&z.f, p->bounds.scale, &z.side[0]);
     lowered_init(&z.g, p->bounds.scale, &z.side[1]);
-    z.a_is_f = z.side[0].polygon.degree <= z.side[1].polygon.degree;
+    z.a_is_f = is_easier(&z.side[0], &z.side[1]);
+    lowered_take(&z.f, &z.given[0]);
+    lowered_take(&z.g, &z.given[1]);
+    z.a_given = &z.given[!z.a_is_f];
+    z.b_given = &z.given[z.a_is_f];
     z.a = &z.side[!z.a_is_f];
     z.b = &z.side[z.a_is_f];
     z.tolerance_u = z.a_is_f ? p->bounds.tolerance_t : p->bounds.tolerance_s;
@@ -190,37 +275,55 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
     }
     real *c = w->scratch, *error = c + z.degree + 1;
     z.scratch = error + z.degree + 1;
-    implicit_resultant(&z.a->polygon, &z.b->polygon, z.scratch, c, error);
+    if (!choose_part(&z)) {
+        return SOLVED;
+    }
+    real width = z.place.hi - z.place.lo;
+    const struct polygon *part = width < 1 ? &z.part.polygon : &z.b->polygon;
+    implicit_resultant(&z.a->polygon, part, z.scratch, c, error);
+    real tolerance = width > 0 ? z.tolerance_v / (8 * width) : (real)1;
+    int count = 1;
     if (implicit_vanishes(z.degree, c, error)) {
-        return UNSUPPORTED;
+        const struct root anywhere = {0, 1, z.degree, false};
+        root[0] = anywhere;
+    } else {
+        count = finder->find(z.degree, c, error, tolerance, z.scratch, ROOTS_MAX, root, NULL);
     }
-    int count = roots_find(z.degree, c, error, z.tolerance_v / 8, z.scratch, ROOTS_MAX, root);
     for (int i = 0; i < count; i++) {
+        struct root r = to_place(&z.place, &root[i]);
         w->steps++;
-        solve_root(&z, &root[i]);
+        solve_root(&z, &r);
     }
-    if (z.undecided) {
+    if (z.outcome == UNSUPPORTED) {
         out->count = 0;
-        return UNSUPPORTED;
     }
-    return SOLVED;
+    return z.outcome;
 }
 
 static size_t scratch(int n, int m)
 {
     int d = n < m ? n : m, e = n < m ? m : n;
     size_t resultant = implicit_scratch(d < implicit_degree_max() ? d : implicit_degree_max(), e);
-    size_t roots = roots_scratch(n * m) + roots_scratch(e);
+    size_t roots = roots_scratch(n * m + n + m);
     return 2 * ((size_t)(n * m) + 1) + (resultant > roots ? resultant : roots);
 }
 
-extern const struct intersector implicitization;
-const struct intersector implicitization = {
-    "implicitization",
-    "resultant in Bernstein form, its roots, inversion; every box proved or owned up to",
-    "T. W. Sederberg, S. R. Parry: Comparison of three curve intersection algorithms, 1986",
-    {0, 0, 0, 0},
-    intersect,
-    scratch,
-    false,
-    false};
+#define IMPLICITIZATION(id, finder, how)                                                                     \
+    static enum outcome id##_intersect(const struct problem *p, struct workspace *w, struct crossings *out)  \
+    {                                                                                                        \
+        return intersect_by(root_finders[finder], p, w, out);                                                \
+    }                                                                                                        \
+    extern const struct intersector id;                                                                      \
+    const struct intersector id = {                                                                          \
+        #id,                                                                                                 \
+        "resultant in Bernstein form, its roots" how ", inversion; every box proved or owned up to",         \
+        "T. W. Sederberg, S. R. Parry: Comparison of three curve intersection algorithms, 1986",             \
+        {0, 0, 0, 0},                                                                                        \
+        id##_intersect,                                                                                      \
+        scratch,                                                                                             \
+        false,                                                                                               \
+        false};
+
+IMPLICITIZATION(implicitization, 0, "")
+IMPLICITIZATION(implicitization_quadratic, 1, " by quadratic clipping")
+IMPLICITIZATION(implicitization_cubic, 2, " by cubic clipping")

@@ -8,10 +8,10 @@
  * Jonsson, S. Vavasis, Solving polynomials with small leading coefficients, 2004).
  *
  * Filters.  An eigenvalue of multiplicity k moves by (K u)^(1/k) under a backward error u, in any direction
- * of the complex plane, so true real parameters are found with imaginary parts and outside [0, 1].  With k =
- * 2 and a growth K <= 2^26 that is 2^-13, with k = 3 and K <= 2^13 too: what lies farther off is dropped.
- * What stays is a start for Newton's method, whose end must satisfy f(t) = g(s) to rounding: so a filter too
- * wide costs time, not truth. Nothing here proves that no solution is missing. */
+ * of the complex plane, so true real parameters are found with imaginary parts and outside [0, 1].  With a
+ * growth K <= 2^20 this is 2^-16 for k = 2, 2^-11 for k = 3 and 2^-8 for k = 4: what lies farther off is
+ * dropped.  What stays is a start for Newton's method, whose end must satisfy f(t) = g(s) to rounding: a
+ * filter too wide costs time, not truth. Nothing here proves that no solution is missing. */
 #include <lapacke.h>
 #include <stdlib.h>
 
@@ -22,7 +22,7 @@
 #include "../core/roots.h"
 #include "../crossings.h"
 
-static const double REACH = 0x1p-13;
+static const double REACH = 0x1p-8;
 
 struct eigen {
     const struct problem *problem;
@@ -120,7 +120,7 @@ static int starts_from_line(const struct eigen *z, double v, double u[POINTS_MAX
         size = fmax(size, fabs(c[i]));
     }
     for (int i = 0; i <= a->degree; i++) {
-        error[i] = size * REACH * REACH;
+        error[i] = size * REACH * REACH * REACH;
     }
     int count = roots_find(a->degree, c, error, REACH, z->scratch, POINTS_MAX, root);
     for (int i = 0; i < count; i++) {

@@ -1,0 +1,43 @@
+/* Rows that are written to a file and, after an interruption, continued there.  Precision-independent:
+ * compiled once, as C.
+ *
+ * Rows come in groups (all algorithms on one family, or on one case), each written at once.  When a file is
+ * resumed, a torn last line and an incomplete last group are cut off, what is complete is not done again, and
+ * the rows that follow carry the run id of the first. */
+#ifndef FATLINE_RESUME_H
+#define FATLINE_RESUME_H
+
+#include <jansson.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct resume {
+    FILE *out;      /* stdout if no file was asked for */
+    json_t *groups; /* name: rows, of the complete groups */
+    int done;       /* how many */
+    char error[512];
+};
+
+/* group: its name for a row, a malloc'd text; NULL: the row has none. */
+struct resume_rule {
+    char *(*group)(const json_t *row);
+    int rows; /* of a complete group */
+};
+
+/* path NULL: standard output.  Writes the environment line unless the file is continued; continuing needs the
+ * same arguments but for the option --resume.  Returns 0, or an exit status: 2 with r->error if the file
+ * cannot be read or written, 64 if it is of another command. */
+int resume_open(struct resume *r, const char *path, bool resume, const struct resume_rule *rule,
+                json_t *environment);
+bool resume_has(const struct resume *r, const char *group);
+/* True on success. */
+bool resume_close(struct resume *r);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

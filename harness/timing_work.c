@@ -1,0 +1,112 @@
+#include "timing_work.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "../algorithms/peers/foreign.h"
+#include "guard.h"
+
+bool work_is_program(const struct contender *c)
+{
+    return c->algorithm && c->algorithm->foreign && !c->algorithm->foreign->kind->in_process;
+}
+
+const char *contender_protocol(const struct contender *c)
+{
+    return !c->algorithm ? "pipe" : work_is_program(c) ? "inside" : "stream";
+}
+
+static void beat(const struct work *w)
+{
+    if (w->heartbeat) {
+        w->heartbeat->contender = w->number;
+        w->heartbeat->beats = w->heartbeat->beats + 1;
+    }
+}
+
+struct answer work_ask(struct work *w, const struct loaded_case *pair)
+{
+    struct answer a;
+    const struct intersector *algorithm = w->contender->algorithm;
+
+    beat(w);
+    memset((void *)&a, 0, sizeof a);
+    a.crossings = w->memory->crossings;
+    if (!algorithm) {
+        const char *error = external_ask(w->contender->external, pair->c.id, pair->line, &a);
+
+        if (error && !w->failures++)
+            snprintf(w->failure, sizeof w->failure, "; %s: %s", pair->c.id, error);
+        return a;
+    }
+    a.id = pair->c.id;
+    a.algorithm = algorithm->name;
+    a.tolerance = pair->owned.problem.tolerance;
+    a.points_only = algorithm->points_only;
+    a.outcome = guard_solve(&pair->owned.problem, algorithm, &w->memory->workspace, a.crossings);
+    a.steps = w->memory->workspace.steps;
+    return a;
+}
+
+/* What is timed. */
+static void solve_pairs(void *context, int first, int last)
+{
+    struct work *w = (struct work *)context;
+    const struct intersector *algorithm = w->contender->algorithm;
+
+    beat(w);
+    for (int i = first; i < last; i++) {
+        const struct loaded_case *pair = w->at[w->index[i]];
+
+        if (algorithm)
+            problem_solve(&pair->owned.problem, algorithm, &w->memory->workspace, w->memory->crossings);
+        else
+            work_ask(w, pair);
+        clock_keep(w->memory->crossings);
+    }
+}
+
+bool work_hand_over(struct work *w, int pairs)
+{
+    const struct foreign *x = w->contender->algorithm->foreign;
+
+    x->kind->collect(x);
+    solve_pairs(w, 0, pairs);
+    return x->kind->collected(x) == pairs;
+}
+
+static double time_inside(void *context, int passes)
+{
+    struct work *w = (struct work *)context;
+    const struct foreign *x = w->contender->algorithm->foreign;
+    double ns;
+
+    beat(w);
+    if (x->kind->time(x, passes, &ns))
+        return ns;
+    w->failures++;
+    return NAN;
+}
+
+static void each_inside(void *context, int passes, int items, double *ns)
+{
+    struct work *w = (struct work *)context;
+    const struct foreign *x = w->contender->algorithm->foreign;
+
+    beat(w);
+    for (int i = 0; i < items; i++)
+        ns[i] = 0;
+    w->failures += !x->kind->each(x, passes, items, ns);
+}
+
+struct clock_task work_task(struct work *w, int pairs)
+{
+    struct clock_task task = {pairs, solve_pairs, w, !w->contender->algorithm, NULL, NULL};
+
+    if (work_is_program(w->contender)) {
+        task.timed = time_inside;
+        task.timed_each = each_inside;
+    }
+    return task;
+}

@@ -1,0 +1,140 @@
+#!/usr/bin/python3
+"""The commands trace, order, cost and lemma, and the verdicts of scripts/claims.py.  Prints TAP."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "scripts"))
+import claims  # noqa: E402
+
+FATLINE = os.environ.get("FATLINE", str(ROOT / "build/fatline"))
+
+
+def fatline(*arguments, text=None, status=0):
+    ended = subprocess.run([FATLINE, *arguments], input=text, capture_output=True, text=True, timeout=120)
+    assert ended.returncode == status, f"{arguments}: status {ended.returncode}, not {status}: {ended.stderr}"
+    return ended.stdout
+
+
+def rows(*arguments, text):
+    return [r for r in map(json.loads, fatline(*arguments, "--rows", text=text).splitlines()) if "environment" not in r]
+
+
+def generate(*arguments):
+    return fatline("generate", *arguments)
+
+
+def without_answer(lines):
+    """The curves and nothing else: no class, no solutions."""
+    return "".join(json.dumps({k: v for k, v in json.loads(line).items() if k in ("id", "f", "g")}) + "\n"
+                   for line in lines.splitlines())
+
+
+def test_usage():
+    for command in ("trace", "order", "cost", "lemma"):
+        assert f"Usage: fatline {command}" in fatline(command, "--help")
+        assert fatline(command, "--version") == "fatline 0.1\n"
+        fatline(command, "--no-such-option", status=64)
+        fatline(command, "-a", "no_such", status=64)
+        fatline(command, "no such file", status=2)
+        fatline(command, "-q", text="{}\n", status=65)
+    assert "geometric mean" in fatline("order", "--help")
+    fatline("order", "--protocol", "guess", status=64)
+
+
+def test_trace_is_the_solve():
+    """As many calls as solve takes steps, as many accepted boxes as it has records; widths below 2^-1000 are numbers."""
+    lines = generate("nice", "--degree", "3,5", "--count", "3") + generate("tangent_same", "--count", "2")
+    solved = [json.loads(line) for line in fatline("solve", "-a", "bezier_clipping,hybrid_clipping_2", "--tolerance",
+                                                    "0x1p-30", "-q", text=lines).splitlines()]
+    traced = rows("trace", "-q", "--bits", "30", "-a", "bezier_clipping,hybrid_clipping_2", text=lines)
+    for answer in solved:
+        own = [r for r in traced if (r["id"], r["algorithm"]) == (answer["id"], answer["algorithm"])]
+        assert own[-1]["call"] == answer["steps"], answer["id"]
+        assert sum(r["event"] == "accepted" for r in own) == len(answer["crossings"]), answer["id"]
+        assert [r["step"] for r in own] == list(range(1, len(own) + 1))
+    deep = rows("-p", "multi", "trace", "-q", "--bits", "2000", "-a", "hybrid_clipping_3",
+                text=generate("nice", "--degree", "5", "--first", "1"))
+    last = [r for r in deep if r["event"] == "accepted"][0]
+    assert last["log2_t"] < -2000 and last["log2_s"] < -2000 and last["round"] >= 5
+
+
+def test_trace_counts_rounds():
+    """Along a path without splits: a round is over when both widths have fallen."""
+    text = generate("nice", "--degree", "5", "--first", "1")
+    own = [r for r in rows("-p", "multi", "trace", "-q", "--bits", "1000", "-a", "bezier_clipping", text=text)
+           if r["event"] == "shrunk"]
+    clip, finished, before = 0, 0, (0, 0)
+    for r in own:
+        clip += 1
+        if r["log2_t"] < before[0] and r["log2_s"] < before[1]:
+            finished, before = finished + 1, (r["log2_t"], r["log2_s"])
+        assert (r["clip"], r["round"]) == (clip, finished), r
+
+
+def test_order_without_being_told():
+    """The same whether a line says what its solutions are or not."""
+    lines = generate("nice", "--degree", "4", "--count", "2") + generate("tangent_same", "--count", "1", "--first", "1")
+    names = "bezier_clipping,hybrid_clipping_2"
+    told = rows("order", "-q", "-a", names, text=fatline("truth", "-q", text=lines))
+    untold = rows("order", "-q", "-a", names, text=without_answer(lines))
+    assert len(told) == len(untold) > 0
+    for a, b in zip(told, untold):
+        assert a["law"] == b["law"] and a["id"] == b["id"]
+        if a["per_round"] is not None:
+            assert abs(a["per_round"] - b["per_round"]) < 1e-6 * a["per_round"], (a, b)
+    laws = {(r["id"].split("-")[0], r["protocol"]): r["law"] for r in untold if r["algorithm"] == "bezier_clipping"}
+    assert laws["nice", "boxes"] == "superlinear" and laws["tangent_same", "rounds"] in ("linear", "too_few")
+
+
+def test_cost_rows():
+    text = generate("nice", "--degree", "3", "--count", "1")
+    got = rows("cost", "-q", "--to", "16", "-a", "subdivision_oriented", text=text)
+    steps = [r["steps"] for r in got if "steps" in r]
+    assert [r["log2_eps"] for r in got if "steps" in r] == list(range(-4, -17, -2))
+    assert steps == sorted(steps) and got[-1]["law"] == "logarithmic" and got[-1]["b"] > 1
+    stopped = rows("cost", "-q", "--to", "16", "--max-steps", "20", "-a", "subdivision_oriented", text=text)
+    assert stopped[-1]["law"] == "too_few" and stopped[-2]["outcome"] == "OUT_OF_STEPS"
+
+
+def test_verdicts():
+    def verdict(values, of, claimed=2, within=0.06):
+        return claims.judge_values(values, of, claimed, within).verdict
+    assert verdict([2.0, 2.01, 1.95], 3) == "holds"
+    assert verdict([2.0] * 9 + [3.0], 10) == "holds"
+    assert verdict([2.0] * 8 + [3.0] * 2, 10) == "inconclusive"
+    assert verdict([2.0, 2.0], 4) == "inconclusive"
+    assert verdict([3.0, 2.9], 2) == "fails"
+    assert verdict([], 2) == "inconclusive"
+
+
+def test_claims_are_well_formed():
+    known, _, _ = claims.read_claims(claims.algorithms("multi"))
+    assert len(known) >= 30
+    for claim in known:
+        assert claim.kind in claims.JUDGES and claim.verdict in ("holds", "fails", "inconclusive"), claim.id
+        assert "{a}" not in claim.command + claim.id + claim.statement, claim.id
+        assert "--seed" in claim.command or " roots " in claim.command, claim.id
+
+
+def main():
+    os.chdir(ROOT)
+    tests = [value for name, value in globals().items() if name.startswith("test_")]
+    failed = 0
+    for number, test in enumerate(tests, 1):
+        try:
+            test()
+            print(f"ok {number} - {test.__name__}")
+        except (AssertionError, subprocess.TimeoutExpired, KeyError, IndexError) as reason:
+            failed += 1
+            print(f"not ok {number} - {test.__name__}\n# {reason!r}"[:2000])
+    print(f"1..{len(tests)}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
