@@ -115,13 +115,15 @@ static void unit_line(const struct region_edge *e, real *line)
     }
 }
 
-/* A few tangents of each arc, arc after arc: edge is its number. */
+struct tangent {
+    int edge; /* its number */
+    real t, line[3];
+};
+
+/* A few tangents of each arc, arc after arc. */
 struct tangents {
     int count;
-    struct tangent {
-        int edge;
-        real t, line[3];
-    } at[TANGENTS_MAX];
+    struct tangent at[TANGENTS_MAX];
 };
 
 /* false: too many arcs. */
