@@ -27,7 +27,7 @@ REAL_MODULES   = real_text problem answer judge judge_points guard judge_groups 
                  region_problem region_answer region_check region_check_expected region_check_sample region_sample region_options region_time
 COMMON_EXTRA   = progress statistics resume noise regression order_estimate known_solutions close_up cost_law
 
-ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c algorithms/curvature/*.c)
+ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c algorithms/intersect/*/*.c algorithms/curvature/*.c)
 ALGORITHMS_double := $(ALGORITHMS) $(wildcard algorithms/peers/*.c)
 ALGORITHMS_quad  := $(ALGORITHMS)
 ALGORITHMS_multi := $(ALGORITHMS)
@@ -119,6 +119,8 @@ tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-o
 define test_rules
 build/$(1)/tests/test_%: build/$(1)/tests/test_%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
+# Cases to be judged by exact algebra come from the generator.
+build/$(1)/tests/test_certified: | build/double/fatline-generate
 # The watched algorithms against the others, whose answers a program of its own prints.
 build/$(1)/tests/answers: build/$(1)/tests/answers.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
@@ -150,7 +152,7 @@ AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
 .PHONY: peers-table comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
-        instructions against-lib2geom format clean help
+        instructions against-lib2geom fuzz format clean help
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
 
@@ -192,6 +194,15 @@ instructions: all ## count the instructions of each algorithm under callgrind
 
 against-lib2geom: all ## time bezier_clipping beside lib2geom's clipping
 	@scripts/against_lib2geom
+
+FUZZ = build/fuzz/certified
+FUZZ_SECONDS = 60
+$(FUZZ): tests/fuzz_certified.c $(ALGORITHMS_double)
+	@mkdir -p $(@D)/corpus
+	clang -std=c11 -D_GNU_SOURCE -O1 -g $(FP) -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined \
+	    -o $@ $^ $(LIBS_double) -lm
+fuzz: $(FUZZ) ## libFuzzer with sanitizers on the certified algorithm, FUZZ_SECONDS=60 (needs clang)
+	$(FUZZ) -max_total_time=$(FUZZ_SECONDS) -max_len=2048 -timeout=10 -print_final_stats=1 $(dir $(FUZZ))corpus
 
 setup: ## install what all the commands need and is missing (Debian 12)
 	@scripts/setup all

@@ -20,6 +20,7 @@ INTERSECTOR(pair_clipping_3)
 INTERSECTOR(implicitization)
 INTERSECTOR(implicitization_quadratic)
 INTERSECTOR(implicitization_cubic)
+INTERSECTOR(certified)
 #if !defined(FATLINE_QUAD) && !defined(FATLINE_MULTI)
 INTERSECTOR(resultant_eigen)
 #endif

@@ -1,0 +1,279 @@
+/* Where a zero lies: inside, at an end of a domain, or at a cut between nodes.
+ *
+ * cone.c proves one zero of the *extended* nodes.  Well inside both nodes it is a solution, the only one
+ * there: UNIQUE. Within its radius of an end of a domain it may be outside: END.  Within its radius of a cut
+ * inside the domain it may belong to the neighbour, and its extension may not even be a zero of the curves;
+ * so larger nodes are cut with the zero in their middle, and the test is made there.  The rectangle of these
+ * nodes then holds this zero and no other: a neighbour that finds it again has its zero in that rectangle,
+ * and adds nothing. */
+#include "evaluate.h"
+
+/* ---- parameters of the problem ---- */
+
+static struct interval to_problem(const struct interval *span, real lo, real hi)
+{
+    real width = span->hi - span->lo;
+    struct interval out;
+    out.lo = lo <= 0 ? span->lo : span->lo + width * lo;
+    out.hi = hi >= 1 ? span->hi : span->lo + width * hi;
+    return out;
+}
+
+struct interval level_t(const struct level *v, real lo, real hi)
+{
+    return to_problem(&v->t, lo, hi);
+}
+
+struct interval level_s(const struct level *v, real lo, real hi)
+{
+    return to_problem(&v->s, lo, hi);
+}
+
+static bool within(const struct interval *a, const struct interval *b)
+{
+    return b->lo <= a->lo && a->hi <= b->hi;
+}
+
+static void cut_off(struct interval *a)
+{
+    a->lo = real_max(a->lo, (real)0);
+    a->hi = real_min(a->hi, (real)1);
+}
+
+bool is_solved(const struct solver *z, int level, const struct interval *at, const struct interval *as)
+{
+    struct interval domain_t = *at, domain_s = *as, *t = &domain_t, *s = &domain_s;
+    cut_off(t);
+    cut_off(s);
+    int count = z->solved < SOLVED_MAX ? z->solved : SOLVED_MAX;
+    for (int i = 0; i < count; i++) {
+        const struct rectangle *r = &z->solved_at[i];
+        if ((r->level == 0 || level < r->level) && within(t, &r->t) && within(s, &r->s)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* When there are too many, the oldest is forgotten: its solutions may then be found, and reported, again. */
+void solved_add(struct solver *z, const struct interval *t, const struct interval *s, int level)
+{
+    struct rectangle *r = &z->solved_at[z->solved % SOLVED_MAX];
+    r->t = *t;
+    r->s = *s;
+    r->level = level;
+    z->solved++;
+}
+
+void solved_shrink(struct solver *z, int level, const struct crossing *to)
+{
+    for (int i = 0; i < z->solved && i < SOLVED_MAX; i++) {
+        if (z->solved_at[i].level == level) {
+            z->solved_at[i].t = to->t;
+            z->solved_at[i].s = to->s;
+        }
+    }
+}
+
+/* Is x near a cut inside the domain?  x, radius: local. */
+static bool near_cut(const struct interval *span, const struct node *a, real x, real radius)
+{
+    bool first = a->lo == 0 && span->lo == 0, last = a->hi == 1 && span->hi == 1;
+    return (!first && x - radius <= a->lo) || (!last && x + radius >= a->hi);
+}
+
+static bool near_end(const struct interval *a)
+{
+    return a->lo <= 0 || a->hi >= 1;
+}
+
+/* ---- one zero ---- */
+
+/* Is the only zero within the nodes among the records already?  It is if some record lies within them. */
+static bool is_reported(const struct solver *z, const struct interval *t, const struct interval *s)
+{
+    for (int i = 0; z->solved > 0 && i < z->out->count; i++) {
+        const struct crossing *c = &z->out->at[i];
+        if ((c->standing == UNIQUE || c->standing == END) && within(&c->t, t) && within(&c->s, s)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* x in the problem's parameters; not cut off at 0 and 1. */
+static struct interval around(const struct interval *span, real x, real radius)
+{
+    real width = span->hi - span->lo, middle = span->lo + width * x, pad = width * radius;
+    if (width != 1) {
+        pad += 2 * REAL_EPSILON * real_abs(middle);
+    }
+    struct interval a = {middle - pad, middle + pad};
+    return a;
+}
+
+/* One zero, at x: a record, or if it is wider than asked for, a closer look.  Returns the level of that look,
+ * or 0. */
+static int report(struct solver *z, int level, const struct zero *x)
+{
+    const struct level *v = &z->level[level];
+    const struct bounds *b = &z->p->bounds;
+    const real shorter = (real)1 / 16;
+    struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
+    struct crossing c = {t, s, near_end(&t) || near_end(&s) ? END : UNIQUE, 1, 1};
+    if (c.standing == END) {
+        c.multiplicity = 0;
+    }
+    cut_off(&c.t);
+    cut_off(&c.s);
+    if (c.t.lo > c.t.hi || c.s.lo > c.s.hi) {
+        return 0; /* beyond the domain after all */
+    }
+    if ((c.t.hi - c.t.lo > b->tolerance_t || c.s.hi - c.s.lo > b->tolerance_s) &&
+        zoom(z, level, x, shorter, &c)) {
+        return z->levels - 1;
+    }
+    record_add(z, &c);
+    return 0;
+}
+
+/* Nodes over (t +- wt) x (s +- ws) and the zero in them, if there is just one. */
+static enum search search_around(struct solver *z, int level, real t, real s, real wt, real ws,
+                                 struct node *f, struct node *g, struct zero *x)
+{
+    const struct level *v = &z->level[level];
+    real numbers[2][7 * DEGREE_MAX + 3];
+    f->points = numbers[0];
+    g->points = numbers[1];
+    f->way = numbers[0] + (v->f.rational ? 3 : 2) * (v->f.n + 1);
+    g->way = numbers[1] + (v->g.rational ? 3 : 2) * (v->g.n + 1);
+    node_cut(&v->f, real_max(t - wt, (real)0), real_min(t + wt, (real)1), f);
+    node_cut(&v->g, real_max(s - ws, (real)0), real_min(s + ws, (real)1), g);
+    node_prepare(&v->f, f);
+    node_prepare(&v->g, g);
+    real c = cone_gap(f, g);
+    enum search found = c > 0 ? solve_one(v, f, g, c, x) : STUCK;
+    f->points = f->way = g->points = g->way = NULL;
+    return found;
+}
+
+enum search zero_prove(struct solver *z, int level, const struct zero *x, real wt, real ws,
+                       struct zero *found)
+{
+    enum { TRIES = 4, SMALLER = 4 };
+    const struct level *v = &z->level[level];
+    for (int k = 0; k < TRIES && wt > 2 * x->rt && ws > 2 * x->rs;
+         k++, wt = wt / SMALLER, ws = ws / SMALLER) {
+        struct node f, g;
+        enum search search = search_around(z, level, x->t, x->s, wt, ws, &f, &g, found);
+        if (search == NO_ZERO) {
+            return NO_ZERO;
+        }
+        if (search == STUCK || near_cut(&v->t, &f, found->t, found->rt) ||
+            near_cut(&v->s, &g, found->s, found->rs)) {
+            continue;
+        }
+        struct interval at = around(&v->t, found->t, found->rt), as = around(&v->s, found->s, found->rs);
+        struct interval ut = level_t(v, f.lo, f.hi), us = level_s(v, g.lo, g.hi);
+        int looked = 0;
+        if (!is_solved(z, level, &at, &as) && !is_reported(z, &ut, &us)) {
+            looked = report(z, level, found);
+        }
+        solved_add(z, &ut, &us, looked);
+        return ZERO;
+    }
+    return STUCK;
+}
+
+enum verdict zero_settle(struct solver *z, int level, const struct node *f, const struct node *g,
+                         const struct zero *x)
+{
+    const struct level *v = &z->level[level];
+    struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
+    if (z->solved > 0 && is_solved(z, level, &t, &s)) {
+        return CLOSED;
+    }
+    if (near_cut(&v->t, f, x->t, x->rt) || near_cut(&v->s, g, x->s, x->rs)) {
+        struct zero found;
+        real share = (real)0.25;
+        /* a solution in the nodes is the zero x, which lies in the larger ones too */
+        return zero_prove(z, level, x, share * (f->hi - f->lo), share * (g->hi - g->lo), &found) == STUCK
+                   ? OPEN
+                   : CLOSED;
+    }
+    if (z->solved > 0) {
+        struct interval nt = level_t(v, f->lo, f->hi), ns = level_s(v, g->lo, g->hi);
+        if (is_reported(z, &nt, &ns)) {
+            return CLOSED;
+        }
+    }
+    report(z, level, x);
+    return CLOSED;
+}
+
+/* ---- several ---- */
+
+/* Is x, cut off at the ends of the level, within the node? */
+static bool inside(const struct node *a, real x, real radius)
+{
+    return (a->lo == 0 || x - radius >= a->lo) && (a->hi == 1 || x + radius <= a->hi);
+}
+
+static bool is_cut(const struct interval *span, real x, real radius)
+{
+    return (span->lo > 0 && x - radius < 0) || (span->hi < 1 && x + radius > 1);
+}
+
+bool region_is_solved(const struct solver *z, int level, const struct zero *x)
+{
+    const struct level *v = &z->level[level];
+    struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
+    return is_solved(z, level, &t, &s);
+}
+
+/* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if
+ * not, a level with it in its middle is made. */
+enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
+                           const struct zero *x, int at_most, bool exists)
+{
+    const struct level *v = &z->level[level];
+    struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
+    cut_off(&t);
+    cut_off(&s);
+    if (t.lo > t.hi || s.lo > s.hi || is_solved(z, level, &t, &s)) {
+        return CLOSED;
+    }
+    bool whole = inside(f, x->t, x->rt) && inside(g, x->s, x->rs) && !is_cut(&v->t, x->t, x->rt) &&
+                 !is_cut(&v->s, x->s, x->rs);
+    bool narrow = t.hi - t.lo <= z->p->bounds.tolerance_t && s.hi - s.lo <= z->p->bounds.tolerance_s;
+    struct crossing c = {t, s, whole ? CLUSTER : CANDIDATE, whole ? at_most : 0, 0};
+    if (whole && exists) {
+        c.standing = near_end(&t) || near_end(&s) ? END : UNIQUE;
+    }
+    const real shorter = (real)1 / 16;
+    /* two solutions are told apart, or from none, at any tolerance */
+    bool look = !whole || !narrow || (level == 0 && at_most <= 2);
+    if (look && zoom(z, level, x, whole ? shorter : (real)1, &c)) {
+        return CLOSED;
+    }
+    if (!narrow && !whole) {
+        return OPEN;
+    }
+    record_add(z, &c);
+    solved_add(z, &t, &s, 0);
+    return CLOSED;
+}
+
+enum verdict region_look(struct solver *z, int level, const struct zero *x)
+{
+    const struct level *v = &z->level[level];
+    struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
+    cut_off(&t);
+    cut_off(&s);
+    if (t.lo > t.hi || s.lo > s.hi) {
+        return CLOSED; /* beyond the domain */
+    }
+    const struct crossing c = {t, s, CANDIDATE, 0, 0};
+    const real shorter = (real)1 / 16;
+    return level == 0 && zoom(z, level, x, shorter, &c) ? CLOSED : OPEN;
+}

@@ -1,0 +1,187 @@
+/* The pairs that wait: pushing, cutting down, halving, and what becomes of those that nothing settles. */
+#include "evaluate.h"
+
+void record_add(struct solver *z, const struct crossing *c)
+{
+    bool narrow =
+        c->t.hi - c->t.lo <= z->p->bounds.tolerance_t && c->s.hi - c->s.lo <= z->p->bounds.tolerance_s;
+    if (c->standing == CANDIDATE && !narrow && z->outcome == SOLVED) {
+        z->outcome = OUT_OF_STEPS;
+    }
+    crossings_add(z->out, c);
+}
+
+/* Is all of a said by b as well? */
+static bool is_idle(const struct crossing *a, const struct crossing *b)
+{
+    return (a->standing == CLUSTER || a->standing == CANDIDATE) && b->standing == CLUSTER &&
+           b->t.lo <= a->t.lo && a->t.hi <= b->t.hi && b->s.lo <= a->s.lo && a->s.hi <= b->s.hi;
+}
+
+void records_tidy(struct solver *z)
+{
+    struct crossing *at = z->out->at;
+    for (int i = 0; i < z->out->count; i++) {
+        for (int k = 0; at[i].standing == CLUSTER && k < z->out->count;) {
+            if (k != i && is_idle(&at[k], &at[i])) {
+                int last = --z->out->count;
+                at[k] = at[last];
+                i = i == last ? k : i;
+                k = 0;
+            } else {
+                k++;
+            }
+        }
+    }
+}
+
+static void record_pair(struct solver *z, const struct pair *at)
+{
+    const struct level *v = &z->level[at->level];
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    struct crossing c = {level_t(v, f->lo, f->hi), level_s(v, g->lo, g->hi), CANDIDATE, 0, 0};
+    record_add(z, &c);
+}
+
+void pair_accept(struct solver *z, const struct pair *at)
+{
+    if (at->level > 0 && z->level[at->level].otherwise.standing != CANDIDATE) {
+        level_give_up(z);
+    } else {
+        record_pair(z, at);
+    }
+}
+
+/* Pairs of deeper levels stay on top. */
+void pair_push(struct solver *z, int level, int f, int g, int rest)
+{
+    struct pair at = {f, g, level, rest};
+    if (z->pairs == PAIRS_MAX) {
+        z->outcome = OUT_OF_ROOM;
+        record_pair(z, &at);
+        return;
+    }
+    int place = z->pairs++;
+    for (; place > 0 && z->pair[place - 1].level > level; place--) {
+        z->pair[place] = z->pair[place - 1];
+    }
+    z->pair[place] = at;
+    for (int i = level + 1; i < z->levels; i++) {
+        z->level[i].pairs++;
+    }
+}
+
+bool narrow_t(const struct solver *z, const struct level *v, const struct node *f)
+{
+    return (v->t.hi - v->t.lo) * (f->hi - f->lo) <= z->p->bounds.tolerance_t;
+}
+
+bool narrow_s(const struct solver *z, const struct level *v, const struct node *g)
+{
+    return (v->s.hi - v->s.lo) * (g->hi - g->lo) <= z->p->bounds.tolerance_s;
+}
+
+static real extent(const struct node *a)
+{
+    return real_max(a->high[0] - a->low[0], a->high[1] - a->low[1]);
+}
+
+/* No more than rounding is left of it. */
+static bool is_speck(const struct source *c, const struct node *a)
+{
+    return extent(a) <= 6 * c->node_error;
+}
+
+static int part_make(struct tree *tree, const struct source *c, const struct node *of, real x, real radius)
+{
+    int k = node_new(tree);
+    if (k) {
+        struct node *part = &tree->node[k];
+        part->way = part->points + (c->rational ? 3 : 2) * (c->n + 1);
+        node_cut(c, real_min(real_max(x - radius, of->lo), of->hi),
+                 real_max(real_min(x + radius, of->hi), of->lo), part);
+    }
+    return k;
+}
+
+enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct zero *x)
+{
+    const struct level *v = &z->level[at->level];
+    int f = part_make(&z->f, &v->f, &z->f.node[at->f], x->t, x->rt);
+    int g = part_make(&z->g, &v->g, &z->g.node[at->g], x->s, x->rs);
+    if (!f || !g) {
+        return OPEN;
+    }
+    if (nodes_meet(&z->f.node[f], &z->g.node[g])) {
+        pair_push(z, at->level, f, g, 0);
+    }
+    return CLOSED;
+}
+
+void pair_split(struct solver *z, const struct pair *at)
+{
+    const struct level *v = &z->level[at->level];
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    bool done_f = narrow_t(z, v, f) || is_speck(&v->f, f), done_g = narrow_s(z, v, g) || is_speck(&v->g, g);
+    if (done_f && done_g) {
+        pair_accept(z, at);
+        return;
+    }
+    bool of_f = f->bend != g->bend ? f->bend > g->bend : extent(f) >= extent(g);
+    of_f = done_f ? false : done_g ? true : of_f;
+    int first = of_f ? node_split(&z->f, &v->f, at->f) : node_split(&z->g, &v->g, at->g);
+    if (!first) {
+        z->outcome = OUT_OF_ROOM;
+        pair_accept(z, at);
+        return;
+    }
+    int rest = at->rest > 0 ? at->rest - 1 : 0;
+    for (int k = 1; k >= 0; k--) {
+        const struct node *a = of_f ? &z->f.node[first + k] : f, *b = of_f ? g : &z->g.node[first + k];
+        if (nodes_meet(a, b)) {
+            pair_push(z, at->level, of_f ? first + k : at->f, of_f ? at->g : first + k, rest);
+        }
+    }
+}
+
+/* The whole curve in 1, 2 or 4 parts by how far it is from straight; 0: no memory. */
+static int parts(struct tree *tree, const struct source *c, int root, bool least_two, int part[4])
+{
+    const struct node *a = &tree->node[root];
+    part[0] = root;
+    if (!least_two && 8 * a->bend <= 3 * c->n * (c->n - 1) * a->speed / 2) {
+        return 1;
+    }
+    int half = node_split(tree, c, root);
+    part[0] = half;
+    part[1] = half + 1;
+    if (!half || 2 * a->bend <= c->n * (c->n - 1) * a->speed) {
+        return half ? 2 : 0;
+    }
+    for (int k = 1; k >= 0; k--) {
+        int quarter = node_split(tree, c, half + k);
+        if (!quarter) {
+            return 0;
+        }
+        part[2 * k] = quarter;
+        part[2 * k + 1] = quarter + 1;
+    }
+    return 4;
+}
+
+bool pair_split_root(struct solver *z, const struct pair *at)
+{
+    const struct level *v = &z->level[0];
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    int of_f[4], of_g[4];
+    bool larger_f = f->bend >= g->bend;
+    int n = parts(&z->f, &v->f, at->f, larger_f, of_f), m = parts(&z->g, &v->g, at->g, !larger_f, of_g);
+    for (int i = n - 1; i >= 0 && m > 0; i--) {
+        for (int k = m - 1; k >= 0; k--) {
+            if (nodes_meet(&z->f.node[of_f[i]], &z->g.node[of_g[k]])) {
+                pair_push(z, 0, of_f[i], of_g[k], 0);
+            }
+        }
+    }
+    return n > 0 && m > 0;
+}
