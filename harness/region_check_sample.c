@@ -12,7 +12,7 @@ enum { PER_SPAN = 512, REFINEMENTS = 3, ARC_POINTS = 9 };
 static const double rounding = 1e-8;
 /* At a distance of D sizes of the curve lines cross at an angle of about 1 / D, and their errors grow as
  * much. */
-static const double remoteness = 1e-12;
+static const double remoteness = 1e-11;
 /* Towards the middle by this part: the sample leaves a little more than the region. */
 static const double inwards = 0.02;
 

@@ -18,7 +18,7 @@ static double batch(const struct region_problem *p, const struct region_method *
 double region_time(const struct region_problem *p, const struct region_method *m, struct region_workspace *w,
                    struct region *out)
 {
-    const double enough = 1e6 + CLOCK_TICKS * clock_tick(false);
+    const double enough = 1e6 + (double)CLOCK_TICKS * clock_tick(false);
     double best = 0;
     long times = 1;
     while (batch(p, m, w, out, times) < enough)

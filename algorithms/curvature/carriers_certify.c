@@ -13,21 +13,17 @@ enum { TRIANGLES = 400, STACK = 64 };
 /* A form does not change its sign on [lo, hi], to rounding. */
 static bool keeps_sign(struct region_work *k, int n, const real *c, const real *bound, real lo, real hi)
 {
-    real both[2 * FORM_MAX], cut[2 * FORM_MAX], where;
-    if (n < 0 || n >= FORM_MAX) {
+    real cut[FORM_MAX], cut_bound[FORM_MAX], middle, where;
+    if (n < 0) {
         return false;
     }
-    for (int i = 0; i <= n; i++) {
-        both[i] = c[i];
-        both[n + 1 + i] = bound[i];
-    }
-    bernstein_restrict(n, 2, both, lo, hi, cut);
-    real middle;
+    bernstein_restrict(n, 1, c, lo, hi, cut);
+    bernstein_restrict(n, 1, bound, lo, hi, cut_bound);
     form_values(n, 1, k->pascal, cut, (real)1 / 2, &middle);
     for (int i = 0; middle < 0 && i <= n; i++) {
         cut[i] = -cut[i];
     }
-    return form_holds(k, n, cut, cut + n + 1, &where) == HOLDS;
+    return form_holds(k, n, cut, cut_bound, &where) == HOLDS;
 }
 
 static bool is_convex(struct region_work *k, const struct carrier_arc *a)

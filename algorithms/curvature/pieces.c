@@ -159,6 +159,14 @@ bool joint_is_smooth(const struct region_work *k, int span)
     return is_parallel(v, w);
 }
 
+/* An arc that leaves to infinity and comes back from there is not convex. */
+static bool joint_is_finite(const struct region_work *k, int span)
+{
+    real v[3];
+    envelope_at(k, span, 1, v);
+    return v[2] > real_ldexp(1, -REAL_BITS / 2);
+}
+
 /* Chains of arcs, and in each the quarters: the tangent turns by pi/2 at most between roots of A and of B. */
 static void number_chains(struct region_work *k, int first, const struct cut *cut)
 {
@@ -168,7 +176,7 @@ static void number_chains(struct region_work *k, int first, const struct cut *cu
         int reasons = i > first ? cut[i - first - 1].reasons : 0;
         bool goes_on = before && before->type > 0 && p->type > 0 && !(reasons & (BREAK_M | BREAK_N));
         if (i == first) {
-            goes_on = goes_on && joint_is_smooth(k, before->span);
+            goes_on = goes_on && joint_is_smooth(k, before->span) && joint_is_finite(k, before->span);
         }
         p->chain = before ? before->chain + !goes_on : 0;
         p->quarter = goes_on ? before->quarter + ((reasons & (BREAK_A | BREAK_B)) != 0) : 0;
