@@ -171,23 +171,6 @@ int envelope_feet(struct region_work *k, const struct region_edge *edge, const s
     return feet < 0 ? 0 : feet;
 }
 
-real envelope_distance(struct region_work *k, const struct region_edge *edge, const struct envelope *a,
-                       struct point d, real *t)
-{
-    real foot[FORM_MAX], line[3], least = 0;
-    int feet = envelope_feet(k, edge, a, d, foot);
-    for (int i = -2; i < feet; i++) {
-        real at = i == -2 ? edge->t : i == -1 ? edge->t1 : foot[i];
-        envelope_tangent(k, edge, at, line);
-        real distance = line[0] * d.x + line[1] * d.y + line[2];
-        if (i == -2 || distance < least) {
-            least = distance;
-            *t = at;
-        }
-    }
-    return least;
-}
-
 /* Step of Newton's method for (x w3 - w1) B - (y w3 - w2) A = 0: the way from the arc to d is along the
  * normal. */
 static real foot_step(const struct region_work *k, const struct region_edge *edge, struct point d, real t)
@@ -201,21 +184,35 @@ static real foot_step(const struct region_work *k, const struct region_edge *edg
     return slope != 0 ? (x * n[1] - y * n[0]) / slope : (real)0;
 }
 
-void envelope_touch(const struct region_work *k, const struct region_edge *edge, struct point d, real t,
-                    real *line)
+/* Moves to `to` if the tangent there is nearer to d. */
+static bool try_tangent(const struct region_work *k, const struct region_edge *edge, struct point d, real to,
+                        real *t, real *line)
 {
-    enum { STEPS = 3 };
-    real next[3], lo = real_min(edge->t, edge->t1), hi = real_max(edge->t, edge->t1);
+    real next[3], at = real_min(real_max(edge->t, edge->t1), real_max(real_min(edge->t, edge->t1), to));
+    envelope_tangent(k, edge, at, next);
+    if (!((next[0] - line[0]) * d.x + (next[1] - line[1]) * d.y + (next[2] - line[2]) < 0)) {
+        return false;
+    }
+    *t = at;
+    for (int j = 0; j < 3; j++) {
+        line[j] = next[j];
+    }
+    return true;
+}
+
+void envelope_touch(const struct region_work *k, const struct region_edge *edge, struct point d, real t,
+                    real reach, real *line)
+{
+    enum { STEPS = 4, HALVINGS = 3 };
+    int halvings = 0;
     for (int i = 0; i < STEPS; i++) {
-        real at = real_min(hi, real_max(lo, t - foot_step(k, edge, d, t)));
-        envelope_tangent(k, edge, at, next);
-        real change = (next[0] - line[0]) * d.x + (next[1] - line[1]) * d.y + (next[2] - line[2]);
-        if (!(change < 0)) {
+        if (try_tangent(k, edge, d, t - foot_step(k, edge, d, t), &t, line)) {
+            halvings = HALVINGS;
+        } else if (halvings++ >= HALVINGS) {
             return;
-        }
-        t = at;
-        for (int j = 0; j < 3; j++) {
-            line[j] = next[j];
+        } else if (!try_tangent(k, edge, d, t + reach / 2, &t, line) &&
+                   !try_tangent(k, edge, d, t - reach / 2, &t, line)) {
+            reach = reach / 4;
         }
     }
 }

@@ -158,8 +158,29 @@ static void keep_nearer(const real *tangent, const struct disc *s, real *least, 
     }
 }
 
-/* The tangent that the disc crosses by most, or touches, of an arc from its nearest sample; returns its
- * distance from the centre. */
+/* Sample i is nearer than its neighbours on the same arc. */
+static bool is_nearest_around(const struct tangents *samples, int i, const struct disc *s)
+{
+    real here = height(samples->at[i].line, s);
+    return (i % SAMPLES == 0 || here <= height(samples->at[i - 1].line, s)) &&
+           (i % SAMPLES == SAMPLES - 1 || here <= height(samples->at[i + 1].line, s));
+}
+
+/* Between samples the distance falls by no more than it changes from one to the next. */
+static bool may_be_nearer(const struct tangents *samples, int i, const struct disc *s, real least)
+{
+    real here = height(samples->at[i].line, s), change = 0;
+    if (i % SAMPLES > 0) {
+        change = height(samples->at[i - 1].line, s) - here;
+    }
+    if (i % SAMPLES < SAMPLES - 1) {
+        change = real_max(change, height(samples->at[i + 1].line, s) - here);
+    }
+    return here - change < least;
+}
+
+/* The tangent that the disc crosses by most, or touches, of an arc from its samples; returns its distance
+ * from the centre. */
 static real nearest_tangent(const struct region_work *k, const struct region *r,
                             const struct tangents *samples, const struct disc *s, real *line)
 {
@@ -171,14 +192,14 @@ static real nearest_tangent(const struct region_work *k, const struct region *r,
             keep_nearer(tangent, s, &least, line);
         }
     }
-    for (int i = 0; i < samples->count; i += SAMPLES) {
-        const struct tangent *best = &samples->at[i];
-        for (int j = i + 1; j < i + SAMPLES; j++) {
-            best = height(samples->at[j].line, s) < height(best->line, s) ? &samples->at[j] : best;
+    for (int i = 0; i < samples->count; i++) {
+        const struct tangent *at = &samples->at[i];
+        const struct region_edge *e = &r->edge[at->edge];
+        if (is_nearest_around(samples, i, s) && may_be_nearer(samples, i, s, least)) {
+            set_triple(at->line, tangent);
+            envelope_touch(k, e, centre, at->t, real_abs(e->t1 - e->t) / (SAMPLES - 1), tangent);
+            keep_nearer(tangent, s, &least, line);
         }
-        set_triple(best->line, tangent);
-        envelope_touch(k, &r->edge[best->edge], centre, best->t, tangent);
-        keep_nearer(tangent, s, &least, line);
     }
     return least;
 }

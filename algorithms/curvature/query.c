@@ -227,44 +227,24 @@ static struct point nearest_on_boundary(struct region_work *k, const struct regi
     return best;
 }
 
-/* On the allowed side of every line and of every tangent of every arc? */
-static bool is_in_closure(struct region_work *k, const struct region *r, struct point d)
-{
-    struct envelope a;
-    real t;
-    for (int i = 0; i < r->count; i++) {
-        struct region_edge e = edge_in(k, &r->edge[i]);
-        if (e.type == EDGE_ARC) {
-            envelope_make(k, &e, &a);
-        }
-        if ((e.type == EDGE_ARC ? envelope_distance(k, &e, &a, d, &t)
-                                : e.line[0] * d.x + e.line[1] * d.y + e.line[2]) < 0) {
-            return false;
-        }
-    }
-    return true;
-}
-
 real region_distance(const struct region_problem *p, struct region_workspace *w, const struct region *r,
                      struct point d)
 {
     struct region_work *k = w->work;
-    (void)p;
     if (r->kind == REGION_EMPTY || r->kind == REGION_PLANE) {
         return r->kind == REGION_EMPTY ? -REAL_HUGE : REAL_HUGE;
     }
     struct point at = point_in(k, d);
     real distance = k->scale * real_sqrt(square(at, nearest_on_boundary(k, r, at)));
-    return is_in_closure(k, r, at) ? distance : -distance;
+    return region_contains(p, w, d, 0) != SIDE_OUTSIDE ? distance : -distance;
 }
 
 struct point region_nearest(const struct region_problem *p, struct region_workspace *w,
                             const struct region *r, struct point d)
 {
     struct region_work *k = w->work;
-    (void)p;
     struct point at = point_in(k, d);
-    if (r->kind == REGION_EMPTY || r->kind == REGION_PLANE || is_in_closure(k, r, at)) {
+    if (r->kind == REGION_EMPTY || r->kind == REGION_PLANE || region_contains(p, w, d, 0) != SIDE_OUTSIDE) {
         return d;
     }
     struct point n = nearest_on_boundary(k, r, at);
