@@ -200,18 +200,18 @@ static bool try_tangent(const struct region_work *k, const struct region_edge *e
     return true;
 }
 
-void envelope_touch(const struct region_work *k, const struct region_edge *edge, struct point d, real t,
-                    real reach, real *line)
+void envelope_touch(const struct region_work *k, const struct region_edge *edge, struct point d, real reach,
+                    real *t, real *line)
 {
     enum { STEPS = 4, HALVINGS = 3 };
     int halvings = 0;
     for (int i = 0; i < STEPS; i++) {
-        if (try_tangent(k, edge, d, t - foot_step(k, edge, d, t), &t, line)) {
+        if (try_tangent(k, edge, d, *t - foot_step(k, edge, d, *t), t, line)) {
             halvings = HALVINGS;
         } else if (halvings++ >= HALVINGS) {
             return;
-        } else if (!try_tangent(k, edge, d, t + reach / 2, &t, line) &&
-                   !try_tangent(k, edge, d, t - reach / 2, &t, line)) {
+        } else if (!try_tangent(k, edge, d, *t + reach / 2, t, line) &&
+                   !try_tangent(k, edge, d, *t - reach / 2, t, line)) {
             reach = reach / 4;
         }
     }

@@ -22,10 +22,10 @@ real envelope_area(const struct region_edge *edge, const struct envelope *a, str
 int envelope_feet(struct region_work *k, const struct region_edge *edge, const struct envelope *a,
                   struct point d, real *t);
 
-/* From the tangent `line` at t to a nearer one, until none is nearer within `reach` or nearly: by Newton's
+/* From the tangent `line` at *t to a nearer one, until none is nearer within `reach` or nearly: by Newton's
  * method, and by halving where that leads away. */
-void envelope_touch(const struct region_work *k, const struct region_edge *edge, struct point d, real t,
-                    real reach, real *line);
+void envelope_touch(const struct region_work *k, const struct region_edge *edge, struct point d, real reach,
+                    real *t, real *line);
 
 /* Tangent at t of the span, (A, B, C) with A^2 + B^2 = 1, the region on the positive side. */
 void envelope_tangent(const struct region_work *k, const struct region_edge *edge, real t, real *line);

@@ -25,11 +25,16 @@ static real area(const struct region_work *k, real tolerance, const struct regio
 
 /* ---- largest disc ---- */
 
+struct tangent {
+    int edge; /* number of the edge that it touches, at t */
+    real t, line[3];
+};
+
 /* Greatest radius with normal . centre + c >= radius for all tangents, by the dual simplex method: three of
  * them whose normals surround 0 bound it; the one that the disc of these crosses by most takes the place of
  * one. */
 struct disc {
-    real line[LINES][3];
+    struct tangent touch[LINES];
     real x, y, radius;
 };
 
@@ -45,10 +50,10 @@ static bool disc_touch(struct disc *s)
 {
     real a[3], b[3], one[3], c[3];
     for (int i = 0; i < LINES; i++) {
-        a[i] = s->line[i][0];
-        b[i] = s->line[i][1];
+        a[i] = s->touch[i].line[0];
+        b[i] = s->touch[i].line[1];
         one[i] = -1;
-        c[i] = -s->line[i][2];
+        c[i] = -s->touch[i].line[2];
     }
     real d = determinant(a, b, one);
     if (d == 0) {
@@ -65,8 +70,8 @@ static bool combine(const struct disc *s, const real *v, real *f)
 {
     real row[LINES][3];
     for (int i = 0; i < LINES; i++) {
-        row[i][0] = s->line[i][0];
-        row[i][1] = s->line[i][1];
+        row[i][0] = s->touch[i].line[0];
+        row[i][1] = s->touch[i].line[1];
         row[i][2] = 1;
     }
     real d = determinant(row[0], row[1], row[2]);
@@ -79,17 +84,10 @@ static bool combine(const struct disc *s, const real *v, real *f)
     return true;
 }
 
-static void set_triple(const real *from, real *to)
-{
-    for (int i = 0; i < 3; i++) {
-        to[i] = from[i];
-    }
-}
-
 /* The entering line takes the place of the one whose factor falls to 0 first. */
-static bool exchange(struct disc *s, const real *line)
+static bool exchange(struct disc *s, const struct tangent *enters)
 {
-    const real zero[3] = {0, 0, 1}, entering[3] = {line[0], line[1], 1};
+    const real zero[3] = {0, 0, 1}, entering[3] = {enters->line[0], enters->line[1], 1};
     real f[LINES], g[LINES];
     int leaves = -1;
     if (!combine(s, zero, f) || !combine(s, entering, g)) {
@@ -103,7 +101,7 @@ static bool exchange(struct disc *s, const real *line)
     if (leaves < 0) {
         return false;
     }
-    set_triple(line, s->line[leaves]);
+    s->touch[leaves] = *enters;
     return true;
 }
 
@@ -114,11 +112,6 @@ static void unit_line(const struct region_edge *e, real *line)
         line[j] = e->line[j] / length;
     }
 }
-
-struct tangent {
-    int edge; /* its number */
-    real t, line[3];
-};
 
 /* A few tangents of each arc, arc after arc. */
 struct tangents {
@@ -150,11 +143,12 @@ static real height(const real *line, const struct disc *s)
     return line[0] * s->x + line[1] * s->y + line[2];
 }
 
-static void keep_nearer(const real *tangent, const struct disc *s, real *least, real *line)
+static void keep_nearer(const struct tangent *tangent, const struct disc *s, real *least,
+                        struct tangent *nearest)
 {
-    if (height(tangent, s) < *least) {
-        *least = height(tangent, s);
-        set_triple(tangent, line);
+    if (height(tangent->line, s) < *least) {
+        *least = height(tangent->line, s);
+        *nearest = *tangent;
     }
 }
 
@@ -179,29 +173,59 @@ static bool may_be_nearer(const struct tangents *samples, int i, const struct di
     return here - change < least;
 }
 
+static void line_tangent(const struct region *r, int edge, struct tangent *out)
+{
+    out->edge = edge;
+    out->t = r->edge[edge].t;
+    unit_line(&r->edge[edge], out->line);
+}
+
 /* The tangent that the disc crosses by most, or touches, of an arc from its samples; returns its distance
  * from the centre. */
 static real nearest_tangent(const struct region_work *k, const struct region *r,
-                            const struct tangents *samples, const struct disc *s, real *line)
+                            const struct tangents *samples, const struct disc *s, struct tangent *nearest)
 {
     const struct point centre = {s->x, s->y};
-    real least = REAL_HUGE, tangent[3];
+    real least = REAL_HUGE;
+    struct tangent at;
     for (int i = 0; i < r->count; i++) {
         if (r->edge[i].type != EDGE_ARC) {
-            unit_line(&r->edge[i], tangent);
-            keep_nearer(tangent, s, &least, line);
+            line_tangent(r, i, &at);
+            keep_nearer(&at, s, &least, nearest);
         }
     }
     for (int i = 0; i < samples->count; i++) {
-        const struct tangent *at = &samples->at[i];
-        const struct region_edge *e = &r->edge[at->edge];
         if (is_nearest_around(samples, i, s) && may_be_nearer(samples, i, s, least)) {
-            set_triple(at->line, tangent);
-            envelope_touch(k, e, centre, at->t, real_abs(e->t1 - e->t) / (SAMPLES - 1), tangent);
-            keep_nearer(tangent, s, &least, line);
+            at = samples->at[i];
+            const struct region_edge *e = &r->edge[at.edge];
+            envelope_touch(k, e, centre, real_abs(e->t1 - e->t) / (SAMPLES - 1), &at.t, at.line);
+            keep_nearer(&at, s, &least, nearest);
         }
     }
     return least;
+}
+
+/* A disc between two contacts: two tangents of one arc, on either side of where it touches.  Their factors
+ * weigh the normals so that they and the third cancel; so weighed the parameters are almost that place. */
+static bool between_tangents(const struct region_work *k, const struct region *r, const struct disc *s,
+                             struct tangent *out)
+{
+    const real zero[3] = {0, 0, 1};
+    real f[LINES];
+    for (int i = 0; i < LINES; i++) {
+        const struct tangent *a = &s->touch[i], *b = &s->touch[(i + 1) % LINES];
+        if (a->edge != b->edge || r->edge[a->edge].type != EDGE_ARC || !combine(s, zero, f)) {
+            continue;
+        }
+        real fa = f[i], fb = f[(i + 1) % LINES];
+        if (fa > 0 && fb > 0) {
+            out->edge = a->edge;
+            out->t = a->t + (b->t - a->t) * (fb / (fa + fb));
+            envelope_tangent(k, &r->edge[out->edge], out->t, out->line);
+            return height(out->line, s) < s->radius;
+        }
+    }
+    return false;
 }
 
 /* Of the directions a and b, the one nearer to -n on the side of n where cross products have this sign. */
@@ -212,15 +236,15 @@ static bool is_nearer_to_opposite(const real *n, int side, const real *a, const 
     return beside && (cross_b < 0 || n[0] * a[0] + n[1] * a[1] < n[0] * b[0] + n[1] * b[1]);
 }
 
-static void begin_with(const real *line, bool first, struct disc *s)
+static void begin_with(const struct tangent *tangent, bool first, struct disc *s)
 {
     for (int i = 0; first && i < LINES; i++) {
-        set_triple(line, s->line[i]);
+        s->touch[i] = *tangent;
     }
     for (int side = 1; side >= -1; side -= 2) {
-        real *best = s->line[side > 0 ? 1 : 2];
-        if (is_nearer_to_opposite(s->line[0], side, line, best)) {
-            set_triple(line, best);
+        struct tangent *best = &s->touch[side > 0 ? 1 : 2];
+        if (is_nearer_to_opposite(s->touch[0].line, side, tangent->line, best->line)) {
+            *best = *tangent;
         }
     }
 }
@@ -228,17 +252,17 @@ static void begin_with(const real *line, bool first, struct disc *s)
 /* Three tangents whose normals surround 0. */
 static void disc_begin(const struct region *r, const struct tangents *samples, struct disc *s)
 {
-    real line[3];
+    struct tangent at;
     bool first = true;
     for (int i = 0; i < r->count; i++) {
         if (r->edge[i].type != EDGE_ARC) {
-            unit_line(&r->edge[i], line);
-            begin_with(line, first, s);
+            line_tangent(r, i, &at);
+            begin_with(&at, first, s);
             first = false;
         }
     }
     for (int i = 0; i < samples->count; i++) {
-        begin_with(samples->at[i].line, first, s);
+        begin_with(&samples->at[i], first, s);
         first = false;
     }
 }
@@ -248,22 +272,29 @@ static void measure_disc(const struct region_work *k, real tolerance, struct reg
 {
     struct tangents samples;
     struct disc s;
-    real line[3] = {0, 0, 0}, last = REAL_HUGE;
+    struct tangent enters;
+    real last = REAL_HUGE;
     if (!tangents_make(k, r, &samples)) {
         return;
     }
     disc_begin(r, &samples, &s);
+    enters = s.touch[0];
     for (int i = 0; i < ROUNDS && disc_touch(&s) && s.radius < last; i++) {
-        real d = nearest_tangent(k, r, &samples, &s, line), size = s.radius + real_abs(s.x) + real_abs(s.y);
+        real d = nearest_tangent(k, r, &samples, &s, &enters),
+             size = s.radius + real_abs(s.x) + real_abs(s.y);
         if (d > r->disc_radius) {
             r->disc_centre.x = s.x;
             r->disc_centre.y = s.y;
             r->disc_radius = d;
         }
-        if (s.radius - d <= tolerance * size || !exchange(&s, line)) {
+        if (s.radius - d <= tolerance * size) {
             return;
         }
         last = s.radius;
+        struct tangent between;
+        if (!exchange(&s, i % 2 && between_tangents(k, r, &s, &between) ? &between : &enters)) {
+            return;
+        }
     }
 }
 
@@ -272,6 +303,6 @@ void boundary_measure(const struct region_work *k, real tolerance, struct region
     real fine = real_max(tolerance, 8 * REAL_EPSILON);
     if (r->kind == REGION_BOUNDED && r->count > 0) {
         r->area = area(k, fine, r);
-        measure_disc(k, fine, r);
+        measure_disc(k, 64 * fine, r);
     }
 }
