@@ -216,3 +216,24 @@ void envelope_touch(const struct region_work *k, const struct region_edge *edge,
         }
     }
 }
+
+real envelope_opposite(const struct region_work *k, const struct region_edge *edge, const real *line, real a,
+                       real b)
+{
+    enum { STEPS = 8 };
+    const struct span_forms *f = &k->span[edge->span].form;
+    real n[2], dn[2], t = a + (b - a) / 2, lo = real_min(a, b), hi = real_max(a, b);
+    for (int i = 0; i < STEPS; i++) {
+        form_values_slopes(f->l, 2, k->pascal, f->L, t, n, dn);
+        real slope = dn[0] * line[1] - dn[1] * line[0];
+        real step = slope != 0 ? (n[0] * line[1] - n[1] * line[0]) / slope : (real)0, next = t - step;
+        if (!(next > lo && next < hi)) {
+            return a + (b - a) / 2;
+        }
+        t = next;
+        if (real_abs(step) <= 4 * REAL_EPSILON) {
+            break;
+        }
+    }
+    return t;
+}

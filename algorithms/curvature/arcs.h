@@ -27,6 +27,11 @@ int envelope_feet(struct region_work *k, const struct region_edge *edge, const s
 void envelope_touch(const struct region_work *k, const struct region_edge *edge, struct point d, real reach,
                     real *t, real *line);
 
+/* Between t = a and b, where the normal of the arc is parallel to that of `line`, by Newton's method; the
+ * middle if that leads away. */
+real envelope_opposite(const struct region_work *k, const struct region_edge *edge, const real *line, real a,
+                       real b);
+
 /* Tangent at t of the span, (A, B, C) with A^2 + B^2 = 1, the region on the positive side. */
 void envelope_tangent(const struct region_work *k, const struct region_edge *edge, real t, real *line);
 

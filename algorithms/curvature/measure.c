@@ -1,6 +1,7 @@
 /* Area and largest disc of a bounded region. */
 #include "arcs.h"
 #include "boundary.h"
+#include "pieces.h"
 
 enum { ROUNDS = 200, SAMPLES = 8, LINES = 3, TANGENTS_MAX = 256 };
 
@@ -205,25 +206,21 @@ static real nearest_tangent(const struct region_work *k, const struct region *r,
     return least;
 }
 
-/* A disc between two contacts: two tangents of one arc, on either side of where it touches.  Their factors
- * weigh the normals so that they and the third cancel; so weighed the parameters are almost that place. */
+/* A disc between two contacts: two tangents of one arc, on either side of where it touches, the normal there
+ * being opposite to that of the third. */
 static bool between_tangents(const struct region_work *k, const struct region *r, const struct disc *s,
                              struct tangent *out)
 {
-    const real zero[3] = {0, 0, 1};
-    real f[LINES];
     for (int i = 0; i < LINES; i++) {
-        const struct tangent *a = &s->touch[i], *b = &s->touch[(i + 1) % LINES];
-        if (a->edge != b->edge || r->edge[a->edge].type != EDGE_ARC || !combine(s, zero, f)) {
+        const struct tangent *a = &s->touch[i], *b = &s->touch[(i + 1) % LINES],
+                             *c = &s->touch[(i + 2) % LINES];
+        if (a->edge != b->edge || r->edge[a->edge].type != EDGE_ARC || a->t == b->t) {
             continue;
         }
-        real fa = f[i], fb = f[(i + 1) % LINES];
-        if (fa > 0 && fb > 0) {
-            out->edge = a->edge;
-            out->t = a->t + (b->t - a->t) * (fb / (fa + fb));
-            envelope_tangent(k, &r->edge[out->edge], out->t, out->line);
-            return height(out->line, s) < s->radius;
-        }
+        out->edge = a->edge;
+        out->t = envelope_opposite(k, &r->edge[out->edge], c->line, a->t, b->t);
+        envelope_tangent(k, &r->edge[out->edge], out->t, out->line);
+        return height(out->line, s) < s->radius;
     }
     return false;
 }
@@ -267,19 +264,32 @@ static void disc_begin(const struct region *r, const struct tangents *samples, s
     }
 }
 
+/* The centre of a disc that touches the arc there. */
+static void move_centre(const struct region_work *k, const struct region *r, const struct tangent *at,
+                        struct disc *s)
+{
+    real v[3];
+    envelope_at(k, r->edge[at->edge].span, at->t, v);
+    s->x = v[0] / v[2] + s->radius * at->line[0];
+    s->y = v[1] / v[2] + s->radius * at->line[1];
+}
+
 /* Radii of the touching discs fall until they meet the largest disc that fits, or rounding stops them. */
 static void measure_disc(const struct region_work *k, real tolerance, struct region *r)
 {
     struct tangents samples;
     struct disc s;
-    struct tangent enters;
     real last = REAL_HUGE;
     if (!tangents_make(k, r, &samples)) {
         return;
     }
     disc_begin(r, &samples, &s);
-    enters = s.touch[0];
+    struct tangent between, enters = s.touch[0];
     for (int i = 0; i < ROUNDS && disc_touch(&s) && s.radius < last; i++) {
+        bool two = between_tangents(k, r, &s, &between);
+        if (two) {
+            move_centre(k, r, &between, &s);
+        }
         real d = nearest_tangent(k, r, &samples, &s, &enters),
              size = s.radius + real_abs(s.x) + real_abs(s.y);
         if (d > r->disc_radius) {
@@ -287,12 +297,8 @@ static void measure_disc(const struct region_work *k, real tolerance, struct reg
             r->disc_centre.y = s.y;
             r->disc_radius = d;
         }
-        if (s.radius - d <= tolerance * size) {
-            return;
-        }
         last = s.radius;
-        struct tangent between;
-        if (!exchange(&s, i % 2 && between_tangents(k, r, &s, &between) ? &between : &enters)) {
+        if (s.radius - d <= tolerance * size || !exchange(&s, two ? &between : &enters)) {
             return;
         }
     }
