@@ -88,8 +88,8 @@ static int type_at(const struct region_work *k, const struct span_forms *f, real
     if (f->m < 0 || f->fixed) {
         return 0;
     }
-    form_values(f->e, 1, f->w + 2 * (f->e + 1), t, &w3);
-    form_values(f->m, 1, f->M, t, &M);
+    form_values(f->e, 1, k->pascal, f->w + 2 * (f->e + 1), t, &w3);
+    form_values(f->m, 1, k->pascal, f->M, t, &M);
     return k->sign * sign(w3) * sign(M);
 }
 
@@ -159,6 +159,14 @@ bool joint_is_smooth(const struct region_work *k, int span)
     return is_parallel(v, w);
 }
 
+/* An arc that leaves to infinity and comes back from there is not convex. */
+static bool joint_is_finite(const struct region_work *k, int span)
+{
+    real v[3];
+    envelope_at(k, span, 1, v);
+    return v[2] > real_ldexp(1, -REAL_BITS / 2);
+}
+
 /* Chains of arcs, and in each the quarters: the tangent turns by pi/2 at most between roots of A and of B. */
 static void number_chains(struct region_work *k, int first, const struct cut *cut)
 {
@@ -168,7 +176,7 @@ static void number_chains(struct region_work *k, int first, const struct cut *cu
         int reasons = i > first ? cut[i - first - 1].reasons : 0;
         bool goes_on = before && before->type > 0 && p->type > 0 && !(reasons & (BREAK_M | BREAK_N));
         if (i == first) {
-            goes_on = goes_on && joint_is_smooth(k, before->span);
+            goes_on = goes_on && joint_is_smooth(k, before->span) && joint_is_finite(k, before->span);
         }
         p->chain = before ? before->chain + !goes_on : 0;
         p->quarter = goes_on ? before->quarter + ((reasons & (BREAK_A | BREAK_B)) != 0) : 0;
@@ -211,7 +219,7 @@ bool half_plane_at(const struct region_work *k, int span, real t, bool corner, s
             value[c] = f->L[c * (f->l + 1) + (t == 0 ? 0 : f->l)];
         }
     } else {
-        form_values(f->l, 4, f->L, t, value);
+        form_values(f->l, 4, k->pascal, f->L, t, value);
     }
     real length = triple_normalise(value);
     out->source = MEMBER;
@@ -231,7 +239,7 @@ bool half_plane_at(const struct region_work *k, int span, real t, bool corner, s
 void envelope_at(const struct region_work *k, int span, real t, real *v)
 {
     const struct span_forms *f = &k->span[span].form;
-    form_values(f->e, 3, f->w, t, v);
+    form_values(f->e, 3, k->pascal, f->w, t, v);
     triple_normalise(v);
     if (v[2] < 0) {
         for (int c = 0; c < 3; c++) {
@@ -240,28 +248,40 @@ void envelope_at(const struct region_work *k, int span, real t, real *v)
     }
 }
 
-/* Least value of c over [0, 1] near that of its control points, by Newton on the derivative. */
-static real lowest_near(int n, const real *c)
+/* Downhill from t, by Newton's method for a minimum while the value falls. */
+static real descend(int n, const real *pascal, const real *c, real t, real *value)
 {
-    real d[FORM_MAX], scratch[FORM_MAX], slope;
-    int least = 0;
-    for (int i = 1; i <= n; i++) {
-        least = c[i] < c[least] ? i : least;
-    }
-    real t = n > 0 ? (real)least / n : (real)0;
-    if (n < 2 || least == 0 || least == n) {
+    real d[FORM_MAX];
+    form_values(n, 1, pascal, c, t, value);
+    if (n < 2) {
         return t;
     }
     bernstein_derivative(n, c, d);
-    for (int i = 0; i < 4; i++) {
-        real f = bernstein_value_slope(n - 1, d, t, scratch, &slope);
-        if (!(slope > 0)) {
-            break;
+    for (int i = 0; i < 8; i++) {
+        real curvature, at, slope = form_value_slope(n - 1, pascal, d, t, &curvature);
+        real step = curvature > 0 ? -slope / curvature : slope > 0 ? (real)-1 / 8 : (real)1 / 8;
+        real next = real_min(1, real_max(0, t + step));
+        form_values(n, 1, pascal, c, next, &at);
+        if (!(at < *value)) {
+            return t;
         }
-        real next = t - f / slope;
-        t = next < 0 ? (real)0 : next > 1 ? (real)1 : next;
+        *value = at;
+        t = next;
     }
     return t;
+}
+
+/* Where c is least, or nearly: downhill from the least coefficient and from `start`. */
+static real lowest(int n, const real *pascal, const real *c, real start)
+{
+    int least = 0;
+    real value[2];
+    for (int i = 1; i <= n; i++) {
+        least = c[i] < c[least] ? i : least;
+    }
+    real a = descend(n, pascal, c, n > 0 ? (real)least / n : (real)0, &value[0]);
+    real b = descend(n, pascal, c, start, &value[1]);
+    return value[0] < value[1] ? a : b;
 }
 
 static void heights(const struct piece *p, int l, const real *v, real error, real *h, real *bound)
@@ -275,15 +295,12 @@ static void heights(const struct piece *p, int l, const real *v, real error, rea
 
 enum verdict piece_holds(struct region_work *k, const struct piece *p, const real *v, real error, real *where)
 {
-    real h[FORM_MAX], bound[FORM_MAX], t, value[2];
+    real h[FORM_MAX], bound[FORM_MAX], t;
     int l = k->span[p->span].form.l;
     heights(p, l, v, error, h, bound);
     enum verdict verdict = form_holds(k, l, h, bound, &t);
     if (verdict == FAILS) {
-        real other = lowest_near(l, h);
-        form_values(l, 1, h, t, &value[0]);
-        form_values(l, 1, h, other, &value[1]);
-        t = value[1] < value[0] ? other : t;
+        t = lowest(l, k->pascal, h, t);
         *where = t == 0 ? p->lo : t == 1 ? p->hi : p->lo + t * (p->hi - p->lo);
     }
     return verdict;
@@ -295,8 +312,8 @@ static bool is_excepted(const struct piece *p, const struct piece *except)
     return except && p->type > 0 && p->chain == except->chain && turn >= -1 && turn <= 1;
 }
 
-enum verdict planes_hold(struct region_work *k, const struct piece *except, const real *v, real error,
-                         struct half_plane *worst)
+enum verdict planes_hold(struct region_work *k, const struct piece *a, const struct piece *b, const real *v,
+                         real error, struct half_plane *worst)
 {
     enum verdict all = HOLDS;
     real lowest = 0, t;
@@ -305,11 +322,11 @@ enum verdict planes_hold(struct region_work *k, const struct piece *except, cons
         bool is_chord = i >= k->pieces;
         if (is_chord) {
             plane = k->chord[i - k->pieces];
-        } else if (is_excepted(&k->piece[i], except)) {
+        } else if (is_excepted(&k->piece[i], a) || is_excepted(&k->piece[i], b)) {
             continue;
         } else {
             enum verdict one = piece_holds(k, &k->piece[i], v, error, &t);
-            all = one == UNSURE && all == HOLDS ? UNSURE : all;
+            all = one != HOLDS && all == HOLDS ? UNSURE : all;
             if (one != FAILS || !half_plane_at(k, k->piece[i].span, t, false, &plane)) {
                 continue;
             }

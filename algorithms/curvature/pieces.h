@@ -33,8 +33,8 @@ enum verdict piece_holds(struct region_work *k, const struct piece *p, const rea
 
 /* The same for all pieces but those of arcs in the same chain as `except` (NULL: none) within a quarter turn,
  * and for the chords.  FAILS fills *worst with the half-plane that v misses by most. */
-enum verdict planes_hold(struct region_work *k, const struct piece *except, const real *v, real error,
-                         struct half_plane *worst);
+enum verdict planes_hold(struct region_work *k, const struct piece *a, const struct piece *b, const real *v,
+                         real error, struct half_plane *worst);
 
 /* w at t of the span, as a unit vector with nonnegative third component. */
 void envelope_at(const struct region_work *k, int span, real t, real *v);

@@ -302,6 +302,7 @@ enum outcome region_solve(const struct region_problem *p, const struct region_me
     }
     if (k->singular) {
         out->kind = REGION_EMPTY;
+        out->strict = false;
         out->count = 0;
         out->area = out->disc_radius = 0;
     }
