@@ -222,6 +222,7 @@ const char *argp_program_version = "fatline 0.1";
 int main(int argc, char **argv)
 {
     static struct program p;
+    static struct region exact;
     struct sigaction action;
     region_options_read(argc, argv, &p.options);
     p.region = (struct region *)malloc(sizeof *p.region);
@@ -236,6 +237,8 @@ int main(int argc, char **argv)
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     p.checker.rows = p.options.rows;
+    if (p.options.check && p.options.count > 1 && p.options.method[0] == region_methods[0])
+        p.checker.exact = &exact;
     if ((p.options.check && p.options.rows) || p.options.time)
         row_write(stdout, row_environment(argc, argv, REAL_NAME));
     int status = solve_all(&p);

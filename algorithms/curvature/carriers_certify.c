@@ -2,7 +2,9 @@
  *
  * An arc is convex where w3 and M keep their signs and its normals stay within a half turn; then it fulfils
  * the conditions of its own tangents, and lies in the triangle of its ends and the point where their tangents
- * meet. Triangles are halved until their corners fulfil the other conditions. */
+ * meet.  Triangles are halved until their corners fulfil the other conditions.  Towards infinity, where
+ * tangents are almost one line and meet nowhere in particular, the arc's control points take their place:
+ * conditions are linear, and the arc's points are positive combinations of them. */
 #include "carriers.h"
 #include "form.h"
 
@@ -54,6 +56,28 @@ static bool holds_at(struct region_work *k, const struct piece *except, const re
     return planes_hold(k, except, NULL, v, error, &worst) == HOLDS;
 }
 
+/* All control points of the arc over [lo, hi], as vectors with the sign that the arc has in its middle. */
+static bool hull_holds(struct region_work *k, const struct piece *p, real lo, real hi)
+{
+    const struct span_forms *f = &k->span[p->span].form;
+    const real noise = 16 * k->degree * REAL_EPSILON; /* of coefficients of size below 4 */
+    real w[3 * FORM_MAX], middle;
+    int length = f->e + 1;
+    bernstein_restrict(f->e, 3, f->w, lo, hi, w);
+    form_values(f->e, 1, k->pascal, w + 2 * length, (real)1 / 2, &middle);
+    for (int i = 0; i < length; i++) {
+        real v[3];
+        for (int c = 0; c < 3; c++) {
+            v[c] = middle < 0 ? -w[c * length + i] : w[c * length + i];
+        }
+        real size = triple_normalise(v);
+        if (!(size > noise) || !holds_at(k, p, v, noise / size)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Where the tangents at both ends meet. */
 static bool apex_holds(struct region_work *k, const struct piece *p, real lo, real hi)
 {
@@ -64,7 +88,7 @@ static bool apex_holds(struct region_work *k, const struct piece *p, real lo, re
     }
     const struct half_plane *first = k->sign > 0 ? &from : &to, *second = k->sign > 0 ? &to : &from;
     triple_meet(first->l, first->error, second->l, second->error, v, &error); /* counter-clockwise: Z >= 0 */
-    return error < real_ldexp(1, -REAL_BITS / 4) && holds_at(k, p, v, error);
+    return error < real_ldexp(1, -REAL_BITS / 4) ? holds_at(k, p, v, error) : hull_holds(k, p, lo, hi);
 }
 
 static bool arc_holds(struct region_work *k, const struct carrier_arc *a)

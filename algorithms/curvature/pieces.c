@@ -56,9 +56,6 @@ int span_cuts(struct region_work *k, const struct span *s, enum cuts cuts, int r
     const struct span_forms *f = &s->form;
     real error[FORM_MAX];
     int count = 0, length = f->l + 1;
-    if (cuts == WHOLE) {
-        return 0;
-    }
     if (f->m > 0) {
         count = add_cuts(k, f->m, f->M, f->M + f->m + 1, BREAK_M, room, count, out);
     }
@@ -167,7 +164,19 @@ static bool joint_is_finite(const struct region_work *k, int span)
     return v[2] > real_ldexp(1, -REAL_BITS / 2);
 }
 
-/* Chains of arcs, and in each the quarters: the tangent turns by pi/2 at most between roots of A and of B. */
+/* The quadrant of the normal in the middle of a piece, 0 to 3, counted the way in which normals turn on S+.
+ */
+static int quadrant(const struct region_work *k, const struct piece *p)
+{
+    const struct span_forms *f = &k->span[p->span].form;
+    real normal[2];
+    form_values(f->l, 2, k->pascal, f->L, p->lo + (p->hi - p->lo) / 2, normal);
+    int counter_clockwise = normal[1] >= 0 ? (normal[0] >= 0 ? 0 : 1) : (normal[0] < 0 ? 2 : 3);
+    return k->sign > 0 ? counter_clockwise : 3 - counter_clockwise;
+}
+
+/* Chains of arcs, and in each the quarters: the tangent turns by pi/2 at most between roots of A and of B,
+ * which may lie on a knot, where neither span shows them.  So the quadrants are compared as well. */
 static void number_chains(struct region_work *k, int first, const struct cut *cut)
 {
     for (int i = first; i < k->pieces; i++) {
@@ -179,7 +188,12 @@ static void number_chains(struct region_work *k, int first, const struct cut *cu
             goes_on = goes_on && joint_is_smooth(k, before->span) && joint_is_finite(k, before->span);
         }
         p->chain = before ? before->chain + !goes_on : 0;
-        p->quarter = goes_on ? before->quarter + ((reasons & (BREAK_A | BREAK_B)) != 0) : 0;
+        p->quarter = 0;
+        if (goes_on) {
+            int turned = (quadrant(k, p) - quadrant(k, before) + 4) % 4;
+            bool cut_here = (reasons & (BREAK_A | BREAK_B)) != 0;
+            p->quarter = before->quarter + (turned > 0 ? turned : cut_here);
+        }
     }
 }
 
@@ -203,6 +217,59 @@ bool pieces_make(struct region_work *k, enum cuts cuts)
         }
         if (cuts == AT_ALL) {
             number_chains(k, first, cut);
+        }
+    }
+    return true;
+}
+
+/* ---- narrow pieces ---- */
+
+/* Coefficients within 60 degrees of their sum, but for those that are noise. */
+static bool is_narrow(const struct piece *p, int l)
+{
+    real sum[3] = {0, 0, 0};
+    for (int i = 0; i <= l; i++) {
+        for (int c = 0; c < 3; c++) {
+            sum[c] += p->L[c * (l + 1) + i];
+        }
+    }
+    triple_normalise(sum);
+    for (int i = 0; i <= l; i++) {
+        const real v[3] = {p->L[i], p->L[l + 1 + i], p->L[2 * (l + 1) + i]};
+        real along = triple_dot(v, sum), noise = 4 * REAL_EPSILON * p->L[3 * (l + 1) + i];
+        if (triple_dot(v, v) > real_max(4 * along * real_max(along, 0), noise * noise)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool pieces_make_narrow(struct region_work *k, bool *all)
+{
+    enum { HALVINGS = 24 };
+    real hi[HALVINGS + 1];
+    k->pieces = 0;
+    k->piece_used = 0;
+    *all = true;
+    for (int span = 0; span < k->spans; span++) {
+        int top = 0, reserve = 2 * (k->spans - span);
+        real lo = 0;
+        hi[0] = 1;
+        while (top >= 0) {
+            size_t used = k->piece_used;
+            if (!add_piece(k, span, lo, hi[top], AT_TORSION)) {
+                return false;
+            }
+            bool narrow = is_narrow(&k->piece[k->pieces - 1], k->span[span].form.l);
+            if (!narrow && top < HALVINGS && k->pieces + top + reserve < k->room_pieces) {
+                k->pieces--;
+                k->piece_used = used;
+                hi[top + 1] = lo + (hi[top] - lo) / 2;
+                top++;
+                continue;
+            }
+            *all = *all && narrow;
+            lo = hi[top--];
         }
     }
     return true;
