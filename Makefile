@@ -110,10 +110,12 @@ build/fatline: build/common/harness/fatline.o
 programs = build/fatline $(PROGRAMS_ONCE:%=build/double/fatline-%) \
            $(foreach P,$(PRECISIONS),$(patsubst %,build/$(P)/fatline-%,$(PROGRAMS_REAL) $(PROGRAMS_WATCHED)))
 
+include algorithms/library/library.mk
+
 # ---- tests ---------------------------------------------------------------------------------------------------
 
 # tests/test_X.c is built for each precision, those named here in double only.
-TESTS_ONCE = test_order test_close_up test_referee test_statistics test_clock test_case test_case_mistakes test_random test_row test_exact test_exact_overlap test_exact_invariance test_truth
+TESTS_ONCE = test_library test_order test_close_up test_referee test_statistics test_clock test_case test_case_mistakes test_random test_row test_exact test_exact_overlap test_exact_invariance test_truth
 TESTS = $(patsubst tests/%.c,%,$(wildcard tests/test_*.c))
 tests_double = $(TESTS:%=build/double/tests/%)
 tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-out $(TESTS_ONCE),$(TESTS))))
@@ -158,7 +160,7 @@ CASES ?= ../shared/cases
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
 
-tests: $(programs) peers-found build/slower/double/fatline-passes $(tests_double) $(tests_others) ## build everything and the tests
+tests: $(programs) $(library) peers-found build/slower/double/fatline-passes $(tests_double) $(tests_others) ## build everything and the tests
 
 check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (6 minutes)
 	$(AFTER_SETUP) tests

@@ -17,11 +17,15 @@ real bernstein_value_slope(int n, const real *c, real t, real *scratch, real *sl
 /* Coefficients over [lo, hi], 0 <= lo <= hi <= 1, of `components` polynomials stored one after the other; out
  * may not overlap c.  Coefficient i is the blossom of c at (lo^(n-i), hi^i), and the error is at most 8n u
  * times the blossom of |c|: the weights hi, 1 - hi, lo/hi, (hi - lo)/hi are not negative and have relative
- * error at most 2u, and each of the 2n steps adds a product and a sum (7n u to first order). */
+ * error at most 2u, and each of the 2n steps adds a product and a sum.  By induction over the steps: a mean,
+ * by exact weights, of two numbers that err by at most k u of their blossoms errs by no more; the step itself
+ * adds 3u where the weights are 1 - hi and hi, 4u where they are quotients (tests/proofs/restrict_weights.g,
+ * restrict_steps.g: 3.5u and 4.5u with the higher orders), 7n u to first order. */
 void bernstein_restrict(int n, int components, const real *c, real lo, real hi, real *out);
 
 /* Coefficients over [0, 1/2] and [1/2, 1]; left and right may not overlap c.  Error at most n u blossom of
- * |c|. */
+ * |c|: by induction over the n levels, a mean of two numbers that err by at most k u of their blossoms errs
+ * by no more, its sum adds u, and halving is exact (tests/proofs/halve_quadratic.g). */
 void bernstein_halve(int n, int components, const real *c, real *left, real *right);
 
 /* Coefficients of the derivative, n of them: n (c[i+1] - c[i]); error at most 2 u of the result + n u (|c[i]|

@@ -27,9 +27,10 @@
  * Hence n m cross products (or (2n-1)(2m-1)) give existence, uniqueness and an error bound at once: a
  * solution lies in the nodes if and only if the zero of H does.
  *
- * Rounding.  A coordinate of A_i errs by e_f, of B_j by e_g; V_f and V_g cover the exact directions.  A cross
- * product errs by e_f V_g + e_g V_f + e_f e_g and 2 u V_f V_g of rounding; u V_f <= 4 u S w^2 <= e_f / 8, so
- * that 1.5 (e_f V_g + e_g V_f) covers all. */
+ * Rounding.  A coordinate of A_i errs by e_f, of B_j by e_g; V_f and V_g cover the exact and the computed
+ * directions.  So a cross product errs by e_f V_g + e_g V_f, and rounding adds at most 4 u V_f V_g
+ * (tests/proofs/cross.g), with u V_f <= 4 u S w^2 + 2 u e_f <= e_f / 8 less than half of e_f V_g + e_g V_f:
+ * 1.5 (e_f V_g + e_g V_f), computed to 4 u of itself (cross_bound.g), covers all. */
 #include "evaluate.h"
 
 struct range {

@@ -3,7 +3,8 @@
  * In Bernstein form with the binomials multiplied in beforehand: with v = 1 - t, sum of c[i] v^(n-i) t^i by
  * Horner's rule in v, the powers of t alongside.  Every term is >= 0 times its coefficient, so the error of a
  * value is at most (3n + 2) u |c|(t): n - i from v, n - 1 from the powers, 2 from the coefficient, 1 from its
- * product, n from sums. */
+ * product, n from sums.  Degrees 2 and 3 of values and derivatives with the constants of source.c:
+ * tests/proofs/evaluate_quadratic.g, evaluate_cubic.g, slope_quadratic.g, slope_cubic.g. */
 #ifndef FATLINE_CERTIFIED_EVALUATE_H
 #define FATLINE_CERTIFIED_EVALUATE_H
 

@@ -71,7 +71,8 @@ void node_cut(const struct source *c, real lo, real hi, struct node *to)
 /* ---- directions ---- */
 
 /* Rounding: a direction errs by 2 E and by u of itself, at most 4 u S <= E / 3.  The second differences by 4
- * E, and so does f'' / (n (n - 1)). */
+ * E and by that of two directions and their own, at most 8 u S <= 2 E / 3, and so does f'' / (n (n - 1)).
+ * tests/proofs/directions.g, second_differences.g. */
 static inline void prepare_polynomial(const struct source *c, const int n, struct node *to)
 {
     const real *x = to->points, *y = x + n + 1;
@@ -198,6 +199,7 @@ int node_new(struct tree *tree)
     return k;
 }
 
+/* tests/proofs/halve_cubic.g */
 static void halve_cubic(const real *c, real *left, real *right)
 {
     const real half = (real)0.5;

@@ -13,9 +13,12 @@
  *
  * End.  A step d from x with the computed Jacobian J~ leaves |H(x + d)| <= |H~ + J~ d| + |J - J~||d| + E + R,
  * where R = (M_f dt^2 + M_g ds^2) / 2, M the bounds on f'' (f~' has the same Lipschitz constants).  Cramer's
- * rule leaves |H~ + J~ d|
- * <= 12 u k (|f'| |dt| + |g'| |ds|), k = |f'| |g'| / |det| in 1-norms.  When R <= E the iteration ends with N
- * = 2 E + these terms as bound of |H(x + d)|, and (1) gives radii.
+ * rule leaves |H~ + J~ d| <= 12 u k |H| + 2.25 u way (tests/proofs/newton_rest.g, newton_quotient.g), with
+ * way = |f'| |dt| + |g'| |ds| and k = |f'| |g'| / |det| in 1-norms; |H| is no more than way and what is left.
+ * So with k u <= 1/128, which is looked at, it leaves at most 16 u (1 + k) way.  When R <= E the iteration
+ * ends with N = 2 E + these terms as bound of |H(x + d)|, and (1) gives radii: computed to 16 u of itself
+ * (newton_radius.g), which B makes up for.  E's own rounding is less than the 2 u S by which noise exceeds
+ * what evaluate.h needs.
  *
  * Sharper.  (1) holds the worst direction of the whole node against the zero.  But x* is now known to lie
  * within the radii r of x, where f' differs from the last computed one by at most M_f (|dt| + r_t) + slope
@@ -148,6 +151,9 @@ static inline enum search newton(const int n, const bool f_rational, const int m
             d.det = real_abs(det);
             d.df = norm_1(p.dx, p.dy);
             d.dg = norm_1(q.dx, q.dy);
+            if (!(64 * REAL_EPSILON * (d.df * d.dg) <= d.det)) {
+                return STUCK;
+            }
             out->t = t;
             out->s = s;
             radii(&a, &b, &d, out);

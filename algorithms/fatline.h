@@ -1,0 +1,236 @@
+/* fatline: where two planar Bezier curves meet, proved; and where a control point may go.
+ *
+ * This header says all there is to know of the library: link with `pkg-config --cflags --libs fatline`.  It
+ * is C (C99 or later) and C++.  The library needs the C library and libm, and nothing else.
+ *
+ * MEMORY.  No call allocates, opens, prints or exits.  All memory is a workspace: the caller asks for its
+ * size, provides the bytes and releases them when they are no longer needed; there is nothing else to
+ * release. Answers lie in the workspace and are good until its next use.  Input arrays are read during a call
+ * only, unless it is said otherwise.  A workspace may be used for any number of problems, in any order: the
+ * answer depends on the problem alone, bit for bit.
+ *
+ * THREADS.  There is no global state.  Calls may run at the same time if each has a workspace and an answer
+ * of its own.
+ *
+ * NUMBERS.  IEEE doubles, rounded to nearest, with subnormal numbers: a program that has changed the rounding
+ * mode, or lets the processor flush subnormal numbers to zero, has to undo that around a call, else nothing
+ * is proved.  Coordinates have any unit, from 1e-150 to 1e150 or beyond, and are taken as they are;
+ * parameters run from 0 to 1 over each curve.  Bounds on rounding are part of every statement below, so
+ * "proved" is meant of the curves whose control points are exactly the given doubles.
+ *
+ * ERRORS.  An input that is no problem is answered by FATLINE_INVALID, and `error` says in a sentence what is
+ * wrong with it.  An outcome other than FATLINE_SOLVED never means that something was lost in silence. */
+#ifndef FATLINE_H
+#define FATLINE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define FATLINE_VERSION "0.1.0"
+#define FATLINE_VERSION_NUMBER 100 /* 10000 major + 100 minor + patch */
+
+#if defined(_WIN32) || !defined(__GNUC__)
+#define FATLINE_API
+#else
+#define FATLINE_API __attribute__((visibility("default")))
+#endif
+
+/* FATLINE_VERSION of the library that runs; programs may compare it with that of the header. */
+FATLINE_API const char *fatline_version(void);
+
+enum { FATLINE_DEGREE_MAX = 32, FATLINE_CROSSINGS_MAX = 2048, FATLINE_OVERLAPS_MAX = 16 };
+
+/* SOLVED: every record is as narrow as asked and the precision allows, or carries its own proof.
+ * OUT_OF_STEPS, OUT_OF_ROOM: stopped early.  Every solution still lies in some record; what is undecided is
+ * among the records, wider than asked.  (Of a region: there is no answer.)
+ * UNSUPPORTED: of regions only, see there.
+ * INVALID: the input is not a problem; there are no records. */
+enum fatline_outcome {
+    FATLINE_SOLVED,
+    FATLINE_OUT_OF_STEPS,
+    FATLINE_OUT_OF_ROOM,
+    FATLINE_UNSUPPORTED,
+    FATLINE_INVALID
+};
+
+/* In a few words: "solved", ... */
+FATLINE_API const char *fatline_outcome_text(enum fatline_outcome outcome);
+
+/* ---- two curves
+ * -------------------------------------------------------------------------------------------- */
+
+/* Control points (points[2 i], points[2 i + 1]), i = 0..degree, 1 <= degree <= FATLINE_DEGREE_MAX, finite;
+ * weights[i] > 0, the largest at most 2^256 times the least, or NULL for a polynomial curve. */
+struct fatline_curve {
+    int degree;
+    const double *points;
+    const double *weights;
+};
+
+/* 0 stands for what is written behind. */
+struct fatline_options {
+    double tolerance; /* 1e-12: width in t and s below which what is not decided may stay so */
+    int max_steps;    /* 100000: a step looks at two arcs and takes microseconds at most; bounds the time */
+};
+
+/* UNIQUE: the rectangle holds exactly one solution.
+ * END: the curves, each continued past its ends by its tangents, have exactly one solution in the rectangle,
+ * and it is so near an end of a curve that rounding cannot tell on which side.
+ * CLUSTER: the rectangle holds at most at_most solutions, counted with multiplicity; for instance a tangency
+ * (2), which doubles cannot tell from two crossings or none.
+ * CANDIDATE: could not be excluded; may hold no solution, one, or many. */
+enum fatline_standing { FATLINE_CANDIDATE, FATLINE_UNIQUE, FATLINE_END, FATLINE_CLUSTER };
+
+/* "candidate", "unique", "end", "cluster". */
+FATLINE_API const char *fatline_standing_text(enum fatline_standing standing);
+
+/* A solution is (t, s) in [0, 1]^2 with f(t) = g(s).  t_lo <= t <= t_hi and s_lo <= s <= s_hi is the
+ * rectangle; for UNIQUE its middle is the best estimate, a few units in the last place of the conditioning
+ * wide. */
+struct fatline_crossing {
+    double t_lo, t_hi, s_lo, s_hi;
+    enum fatline_standing standing;
+    int at_most; /* 1 of UNIQUE and END; 0 of CANDIDATE: not known */
+};
+
+/* A shared arc: over t_inner, within s_inner, the curves are no farther from each other than `distance`, in
+ * the unit of the coordinates and the maximum norm.  All solutions that belong to it lie in the rectangle
+ * t_outer x s_outer.  reversed: s falls while t rises. */
+struct fatline_overlap {
+    double t_outer_lo, t_outer_hi, s_outer_lo, s_outer_hi;
+    double t_inner_lo, t_inner_hi, s_inner_lo, s_inner_hi;
+    double distance;
+    int reversed;
+};
+
+/* Every solution lies in the rectangle of some crossing or in t_outer x s_outer of some overlap.  Crossings
+ * are sorted by (t_lo, s_lo).  Two solutions at one point, where a curve crosses itself, are two.  Exchanging
+ * f and g, and multiplying all coordinates by a power of two (short of overflow and underflow), changes no
+ * bit but what that changes. */
+struct fatline_answer {
+    enum fatline_outcome outcome;
+    const char *error; /* NULL unless INVALID */
+    int count, overlaps;
+    const struct fatline_crossing *crossing; /* in the workspace */
+    const struct fatline_overlap *overlap;
+    int steps;
+};
+
+/* For curves of degree <= degree: less than half a megabyte for cubics, less than two for any degree.  0:
+ * there is no such degree. */
+FATLINE_API size_t fatline_workspace_size(int degree);
+
+struct fatline_workspace;
+/* Makes a workspace in `memory`: at least fatline_workspace_size(degree) bytes, aligned as malloc aligns.
+ * NULL: memory is NULL or not aligned, size too small, or there is no such degree. */
+FATLINE_API struct fatline_workspace *fatline_workspace_init(void *memory, size_t size, int degree);
+
+/* Where do f and g meet?  options may be NULL.  Returns out->outcome; *out is written whatever it is. */
+FATLINE_API enum fatline_outcome fatline_intersect(struct fatline_workspace *w, const struct fatline_curve *f,
+                                                   const struct fatline_curve *g,
+                                                   const struct fatline_options *options,
+                                                   struct fatline_answer *out);
+
+/* The point of a valid curve at t in [0, 1]; each coordinate errs by at most (6 degree + 4) 2^-53 max
+ * |coordinate|.
+ */
+FATLINE_API void fatline_point(const struct fatline_curve *c, double t, double point[2]);
+
+/* ---- where a control point may go
+ * ---------------------------------------------------------------------------- */
+
+/* The places of one control point for which the curve is regular with curvature of one sign on an interval
+ * are an open convex region of the plane, bounded by lines and arcs of an envelope. */
+
+/* A B-spline curve (NURBS with weights): degree 2 to 32 (with weights 17), `count` control points, knots[0 ..
+ * count + degree] not decreasing, an inner knot at most `degree` times.  Its parameter runs from
+ * knots[degree] to knots[count].  knots == NULL: one Bezier curve over [0, 1], count = degree + 1. */
+struct fatline_spline {
+    int degree, count;
+    const double *knots, *points, *weights;
+};
+
+/* The curve is to keep curvature of the given sign (+1: turns left, -1: right) for parameters from..to; from
+ * == to == 0: all of the curve.  The arrays must stay until the last question about the region. */
+struct fatline_region_problem {
+    struct fatline_spline curve;
+    int free;            /* control point that moves */
+    const double *share; /* NULL; else control point j moves by share[j] times what the place moves that
+                            stands for `free`: share[free] = 1 */
+    double from, to;
+    int sign;
+    int loop_free;    /* besides, the tangent shall turn by less than half a turn */
+    double tolerance; /* of areas, discs and distances to arcs, as a part of the curve's size; 0: finest */
+    int max_steps;    /* 0: 1000000 */
+};
+
+/* EMPTY: there is no such place.  PLANE: everywhere. */
+enum fatline_kind { FATLINE_EMPTY, FATLINE_BOUNDED, FATLINE_UNBOUNDED, FATLINE_PLANE };
+
+/* "empty", ... */
+FATLINE_API const char *fatline_kind_text(enum fatline_kind kind);
+
+/* Edges run counter-clockwise, the region on their left.  (a, b, c), a^2 + b^2 = 1: the line a x + b y + c =
+ * 0 of an edge, or the tangent of an arc at its parameter t; positive inside.  from, to: the vertices,
+ * meaningless where an end is at infinity.  An arc lies on the envelope of the lines of parameters t to t1.
+ */
+enum fatline_edge_type { FATLINE_LINE, FATLINE_ARC, FATLINE_CHORD };
+struct fatline_edge {
+    enum fatline_edge_type type;
+    int from_infinity, to_infinity;
+    double from[2], to[2];
+    double line[3];
+    double t, t1;
+};
+
+/* certified: verified after the fact, up to rounding: each edge is on a line or on the envelope, the edges
+ * close up, and every vertex and arc fulfils all conditions; an empty region is proved empty. */
+struct fatline_region {
+    enum fatline_outcome outcome;
+    const char *error; /* NULL unless INVALID or UNSUPPORTED */
+    enum fatline_kind kind;
+    int certified;
+    int count;
+    const struct fatline_edge *edge; /* in the workspace */
+    double area;                     /* of a bounded region */
+    double disc[3];                  /* centre and radius of a largest disc in a bounded region */
+};
+
+/* For curves of degree <= degree with at most `count` control points: less than two megabytes for a cubic
+ * with 100, less than four for a Bezier curve of any degree.  0: there is no such degree, or count <= degree.
+ */
+FATLINE_API size_t fatline_region_workspace_size(int degree, int count);
+
+struct fatline_region_workspace;
+FATLINE_API struct fatline_region_workspace *fatline_region_workspace_init(void *memory, size_t size,
+                                                                           int degree, int count);
+
+/* UNSUPPORTED: weights and a degree above 17.  OUT_OF_ROOM: also where the curve is beyond what the workspace
+ * was made for. */
+FATLINE_API enum fatline_outcome fatline_region_solve(struct fatline_region_workspace *w,
+                                                      const struct fatline_region_problem *p,
+                                                      struct fatline_region *out);
+
+/* Questions about the region that w solved last; FATLINE_OUTSIDE, 0 and (x, y) itself if there is none.
+ *
+ * contains: is the disc of radius margin >= 0 about (x, y) inside?  OUTSIDE and INSIDE are proved; BOUNDARY:
+ * nearer to the boundary than rounding can tell.
+ * safe_radius: a disc about (x, y) of this radius is inside, proved by `contains`: the distance to the
+ * boundary, less what rounding and the tolerance of arcs take; 0: it is not proved that (x, y) is inside.  Of
+ * the plane: HUGE_VAL. nearest: the nearest point of the closed region, to rounding for lines, to the
+ * tolerance for arcs. */
+enum fatline_side { FATLINE_OUTSIDE, FATLINE_BOUNDARY, FATLINE_INSIDE };
+FATLINE_API enum fatline_side fatline_region_contains(struct fatline_region_workspace *w, double x, double y,
+                                                      double margin);
+FATLINE_API double fatline_region_safe_radius(struct fatline_region_workspace *w, double x, double y);
+FATLINE_API void fatline_region_nearest(struct fatline_region_workspace *w, double x, double y,
+                                        double nearest[2]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

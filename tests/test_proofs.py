@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+"""The rounding bounds of straight-line code at degrees 2 and 3, machine-checked by Gappa.  Prints TAP.
+
+A file tests/proofs/X.g states a bound as the C sources do and proves it.  Its comments tie it to them:
+
+    # in: FILE         what follows stands in this file, but for white space
+    # C: TEXT          in the code
+    # says: TEXT       in a comment
+    # control: A B     with B instead of A, which is tighter, Gappa must not prove it
+
+Some file named in it names X.g.  S, the largest coordinate, is taken in [1, 2), as scaling by powers of two changes no
+rounding; so a bound k u S is proved as k 2^-53 for all inputs up to 2.  Subnormal numbers are part of Gappa's model."""
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PROOFS = sorted((ROOT / "tests/proofs").glob("*.g"))
+
+
+def squeezed(text):
+    return re.sub(r"\s+|^ \*", "", text, flags=re.M)
+
+
+def comments(text):
+    return " ".join(re.findall(r"/\*.*?\*/", text, flags=re.S)).replace(" * ", " ")
+
+
+def code(text):
+    return re.sub(r"/\*.*?\*/", "", text, flags=re.S)
+
+
+def is_proved(text):
+    ended = subprocess.run(["gappa"], input=text, capture_output=True, text=True, timeout=120)
+    if "syntax error" in ended.stderr:
+        raise AssertionError(ended.stderr.strip())
+    return ended.returncode == 0, ended.stderr.strip()
+
+
+def tied(path, text):
+    """What the proof says of the sources and is not so."""
+    source, named = "", False
+    for word, what in re.findall(r"^# (in|C|says): (.*)$", text, flags=re.M):
+        if word == "in":
+            source = (ROOT / what).read_text()
+            named = named or path.name in source
+        elif squeezed(what) not in squeezed(code(source) if word == "C" else comments(source)):
+            yield f"not in the sources: {what}"
+    if not named:
+        yield "none of the sources names it"
+
+
+def complaints(path):
+    text = path.read_text()
+    yield from tied(path, text)
+    proved, why = is_proved(text)
+    if not proved:
+        yield f"not proved: {why}"
+    controls = re.findall(r"^# control: (\S+) (\S+)$", text, flags=re.M)
+    if not controls:
+        yield "no control"
+    for loose, tight in controls:
+        body = re.sub(r"^#.*$", "", text, flags=re.M)
+        if loose not in body:
+            yield f"no bound {loose}"
+        elif is_proved(body.replace(loose, tight))[0]:
+            yield f"also proved with {tight}: the proof shows nothing"
+
+
+def main():
+    if not shutil.which("gappa"):
+        print("gappa is not installed (scripts/setup check)")
+        return 77
+    failed = 0
+    for number, path in enumerate(PROOFS, 1):
+        found = list(complaints(path))
+        print(f"{'not ok' if found else 'ok'} {number} - {path.name}", flush=True)
+        for complaint in found:
+            print("# " + complaint.replace("\n", "\n# "))
+        failed += bool(found)
+    print(f"1..{len(PROOFS)}")
+    return 1 if failed or not PROOFS else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
