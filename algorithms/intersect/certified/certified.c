@@ -33,7 +33,7 @@ static size_t level_length(int n, int m)
     return 3 * (size_t)(n + 1 + m + 1) + source_length(n) + source_length(m);
 }
 
-static size_t scratch(int n, int m)
+size_t certified_scratch(int n, int m)
 {
     return 2 * numbers_for(NODES_MAX * sizeof(struct node)) + numbers_for(PAIRS_MAX * sizeof(struct pair)) +
            (size_t)NODES_MAX * (size_t)(node_stride(n) + node_stride(m)) + LEVELS_MAX * level_length(n, m);
@@ -71,6 +71,7 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->levels = z->pairs = z->solved = 0;
     z->next_look = FIRST_LOOK;
     z->suspicions = 0;
+    z->alone = false;
 }
 
 /* ---- level 0 ---- */
@@ -96,7 +97,7 @@ static int root_make(struct tree *tree, const struct source *c)
     return k;
 }
 
-/* false: the octagons are apart */
+/* Level 0 and its roots; false: the octagons are apart. */
 static bool begin(struct solver *z)
 {
     const struct problem *p = z->p;
@@ -116,7 +117,6 @@ static bool begin(struct solver *z)
     z->levels = 1;
     z->root_f = f;
     z->root_g = g;
-    pair_push(z, 0, f, g, 0);
     return true;
 }
 
@@ -267,24 +267,41 @@ static void step(struct solver *z)
     }
 }
 
-static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+static void settle_all(struct solver *z)
+{
+    while (z->pairs > 0) {
+        if (!z->alone && z->w->steps >= z->next_look) {
+            look_for_overlaps(z);
+        }
+        if (is_crowded(&z->f) || is_crowded(&z->g)) {
+            nodes_collect(z);
+        }
+        step(z);
+    }
+}
+
+enum outcome certified_search(const struct problem *p, struct workspace *w, struct crossings *out,
+                              void (*begin_with)(struct solver *z))
 {
     struct solver z;
     solver_init(&z, p, w, out);
     if (!begin(&z)) {
         return SOLVED;
     }
-    while (z.pairs > 0) {
-        if (w->steps >= z.next_look) {
-            look_for_overlaps(&z);
-        }
-        if (is_crowded(&z.f) || is_crowded(&z.g)) {
-            nodes_collect(&z);
-        }
-        step(&z);
-    }
+    begin_with(&z);
+    settle_all(&z);
     records_tidy(&z);
     return z.outcome;
+}
+
+static void begin_with_all(struct solver *z)
+{
+    pair_push(z, 0, z->root_f, z->root_g, 0);
+}
+
+static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    return certified_search(p, w, out, begin_with_all);
 }
 
 extern const struct intersector certified;
@@ -295,6 +312,6 @@ const struct intersector certified = {
                  "intersections, 1988",
     .claimed = {0, 0, 0, 0},
     .intersect = intersect,
-    .scratch = scratch,
+    .scratch = certified_scratch,
     .points_only = false,
 };
