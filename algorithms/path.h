@@ -65,9 +65,14 @@ struct path_place {
 
 enum { PATH_WAIT = 2 * PATH_LEVELS * PATH_FAN * PATH_FAN, PATH_BLOCK_LEAST = PATH_FAN * PATH_FAN };
 
+/* Bit k of met[i], for the i that are bits of `which`: box i of `from` meets box k of `to`. */
+typedef void path_boxes(const struct path_node *from, unsigned which, const struct path_node *to,
+                        unsigned char met[PATH_FAN]);
+
 struct path_walk {
     const struct path_tree *a, *b;
-    bool self;  /* a path against itself */
+    bool self; /* a path against itself */
+    path_boxes *boxes;
     long tests; /* so many boxes were held against eight others */
     int waiting;
     struct path_place place[PATH_WAIT];
@@ -101,11 +106,24 @@ struct path_record {
     struct path_span a, b;
     enum standing standing;
     int at_most;
-    bool overlap, reversed, joint;
+    bool joint;
     int chain;
-    struct interval a_inner, b_inner; /* of an overlap, with its largest distance */
+    int overlap; /* its number among the overlaps, or -1 */
+    int link;    /* of path_records_join */
+};
+
+/* Over a_inner and b_inner, of the segments of the record, the curves stay within distance. */
+struct path_overlap {
+    struct interval a_inner, b_inner;
+    bool reversed;
     real distance;
-    int link; /* of path_records_join */
+};
+
+/* The arrays are the caller's. */
+struct path_records {
+    struct path_record *at;
+    struct path_overlap *overlap;
+    int count, room, overlaps, overlap_room;
 };
 
 struct path_solver {
@@ -123,8 +141,8 @@ struct path_solver {
     enum outcome worst;  /* the first outcome of one that was not SOLVED */
 };
 
-/* Room that the records of one pair, or of one segment, may need. */
-enum { PATH_RECORDS_LEAST = CROSSINGS_MAX + OVERLAPS_MAX };
+/* Room that one pair, or one segment, may need. */
+enum { PATH_RECORDS_LEAST = CROSSINGS_MAX + OVERLAPS_MAX, PATH_OVERLAPS_LEAST = OVERLAPS_MAX };
 
 /* b: NULL for a path against itself.  The workspace is for the largest degrees, with scratch for path_pairs
  * and path_loops; tolerance and max_steps as in struct problem. */
@@ -132,20 +150,17 @@ extern const struct intersector *const path_pairs, *const path_joints, *const pa
 void path_solver_init(struct path_solver *z, const struct path *a, const struct path *b,
                       struct workspace *workspace, struct crossings *crossings);
 
-/* Solves pair[0..count-1] until they are done or fewer than PATH_RECORDS_LEAST of `room` records are left;
- * *records grows by what was found.  Returns the pairs done. */
-int path_solve(struct path_solver *z, const struct path_pair *pair, int count, struct path_record *record,
-               int *records, int room);
+/* Solves pair[0..count-1] until they are done or there is less room left than PATH_RECORDS_LEAST or
+ * PATH_OVERLAPS_LEAST; what is found is added to `out`.  Returns the pairs done. */
+int path_solve(struct path_solver *z, const struct path_pair *pair, int count, struct path_records *out);
 
 /* The same for the segments first..last-1 of a path against itself, each alone: where it crosses itself. */
-int path_solve_loops(struct path_solver *z, int first, int last, struct path_record *record, int *records,
-                     int room);
+int path_solve_loops(struct path_solver *z, int first, int last, struct path_records *out);
 
 /* Of all records, those at joints that may hold the same solution become one, and all are sorted by the place
- * on the first path, then on the second.  numbers: path_join_size bytes, count_b = 0 for a
- * path against itself; returns the number of records left.
- */
+ * on the first path, then on the second.  numbers: path_join_size bytes, count_b = 0 for a path against
+ * itself. */
 size_t path_join_size(int count_a, int count_b, int records);
-int path_records_join(const struct path_solver *z, struct path_record *record, int records, void *numbers);
+void path_records_join(const struct path_solver *z, struct path_records *all, void *numbers);
 
 #endif

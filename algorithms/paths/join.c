@@ -135,20 +135,20 @@ static bool turn_to(const struct path *path, const struct path_record *p, struct
 }
 
 /* Members of the group are linked by next[4 r], from its root on.  Puts them in an order where each goes with
- * one before it; `distance` is free in crossings, and marks those that have their place. */
+ * one before it; `chain`, 0 so far, marks those that have their place. */
 static void turn_members(struct joining *j, int root)
 {
     struct path_record *record = j->record;
     bool more = true;
     for (int r = root; r >= 0; r = j->next[4 * r]) {
-        record[r].distance = r == root ? 1 : 0;
+        record[r].chain = r == root;
     }
     while (more) {
         more = false;
         for (int r = root; r >= 0; r = j->next[4 * r]) {
-            for (int q = root; record[r].distance != 0 && q >= 0; q = j->next[4 * q]) {
-                if (record[q].distance == 0 && turn_to(j->z->a, &record[r], &record[q])) {
-                    record[q].distance = 1;
+            for (int q = root; record[r].chain && q >= 0; q = j->next[4 * q]) {
+                if (!record[q].chain && turn_to(j->z->a, &record[r], &record[q])) {
+                    record[q].chain = 1;
                     more = true;
                 }
             }
@@ -249,7 +249,7 @@ static void merge_group(struct joining *j, int root)
     to->a = a;
     to->b = b;
     to->joint = joint;
-    to->distance = 0;
+    to->chain = 0;
     if (one || members > 1) {
         to->standing = one ? UNIQUE : known ? CLUSTER : CANDIDATE;
         to->at_most = one ? 1 : known ? at_most : 0;
@@ -260,7 +260,7 @@ static void settle_group(struct joining *j, int root)
 {
     bool overlaps = false;
     for (int r = root; r >= 0; r = j->next[4 * r]) {
-        overlaps = overlaps || j->record[r].overlap;
+        overlaps = overlaps || j->record[r].overlap >= 0;
     }
     if (!overlaps) {
         merge_group(j, root);
@@ -380,7 +380,7 @@ static void turn_spans(const struct joining *j)
 {
     for (int r = 0; j->z->self && r < j->records; r++) {
         struct path_record *p = &j->record[r];
-        if (!p->overlap && span_precedes(&p->b, &p->a)) {
+        if (p->overlap < 0 && span_precedes(&p->b, &p->a)) {
             struct path_span s = p->a;
             p->a = p->b;
             p->b = s;
@@ -392,8 +392,8 @@ static void drop_gone(struct joining *j)
 {
     int kept = 0;
     for (int r = 0; r < j->records; r++) {
-        if (j->record[r].link >= 0) {
-            j->record[kept++] = j->record[r];
+        if (j->record[r].link >= 0 && kept++ != r) {
+            j->record[kept - 1] = j->record[r];
         }
     }
     j->records = kept;
@@ -404,11 +404,12 @@ size_t path_join_size(int count_a, int count_b, int records)
     return (2 * (size_t)count_a + 1 + (size_t)count_b + 5 * (size_t)records) * sizeof(int);
 }
 
-int path_records_join(const struct path_solver *z, struct path_record *record, int records, void *numbers)
+void path_records_join(const struct path_solver *z, struct path_records *all, void *numbers)
 {
     struct joining j;
+    int records = all->count;
     j.z = z;
-    j.record = record;
+    j.record = all->at;
     j.records = records;
     j.bucket = (int *)numbers;
     j.head[0] = j.bucket + z->a->count + 1;
@@ -429,5 +430,5 @@ int path_records_join(const struct path_solver *z, struct path_record *record, i
     drop_gone(&j);
     turn_spans(&j);
     sort_records(&j);
-    return j.records;
+    all->count = j.records;
 }

@@ -7,6 +7,10 @@
 /* Is coefficient i of c the same point as coefficient j of d, exactly? */
 bool path_same_point(const struct curve *c, int i, const struct curve *d, int j);
 
+/* ---- boxes.c ---- */
+
+path_boxes *path_boxes_choose(void); /* what this processor is fastest with */
+
 /* ---- straight.c ---- */
 
 /* true: some linear function grows strictly along c and then, if it is not NULL, along d, which begins where

@@ -1,4 +1,6 @@
 /* Pairs of segments, and single segments, into records. */
+#include <string.h>
+
 #include "paths.h"
 
 extern const struct intersector certified, certified_joints, certified_loops;
@@ -39,28 +41,26 @@ static bool holds_joint(const struct path_solver *z, int i, int j, const struct 
                        (z->a->next[j] == i && t->lo == 0 && s->hi == 1));
 }
 
-static struct path_record *record_new(struct path_record *record, int *records)
+static struct path_record *record_new(struct path_records *out)
 {
-    struct path_record *r = &record[(*records)++];
-    r->overlap = r->reversed = r->joint = false;
-    r->chain = 0;
+    struct path_record *r = &out->at[out->count++];
     r->standing = CANDIDATE;
-    r->at_most = 0;
-    r->a_inner.lo = r->a_inner.hi = r->b_inner.lo = r->b_inner.hi = r->distance = 0;
-    r->link = -1;
+    r->at_most = r->chain = 0;
+    r->joint = false;
+    r->overlap = r->link = -1;
     return r;
 }
 
 /* A joint is a zero of the pair of neighbours, exactly: a record of just one zero that holds it holds nothing
  * else. */
 static void add_crossing(const struct path_solver *z, int i, int j, const struct crossing *c,
-                         struct path_record *record, int *records)
+                         struct path_records *out)
 {
     bool joint = holds_joint(z, i, j, &c->t, &c->s), single = c->standing == UNIQUE || c->standing == END;
     if (joint && (single || (c->standing == CLUSTER && c->at_most == 1))) {
         return;
     }
-    struct path_record *r = record_new(record, records);
+    struct path_record *r = record_new(out);
     span_of(i, &c->t, &r->a);
     span_of(j, &c->s, &r->b);
     r->standing = c->standing;
@@ -69,48 +69,45 @@ static void add_crossing(const struct path_solver *z, int i, int j, const struct
 }
 
 static void add_overlap(const struct path_solver *z, int i, int j, const struct overlap *o,
-                        struct path_record *record, int *records)
+                        struct path_records *out)
 {
-    struct path_record *r = record_new(record, records);
+    struct path_record *r = record_new(out);
     span_of(i, &o->t_outer, &r->a);
     span_of(j, &o->s_outer, &r->b);
-    r->overlap = true;
     r->joint = holds_joint(z, i, j, &o->t_outer, &o->s_outer);
-    r->reversed = o->reversed;
-    r->a_inner = o->t_inner;
-    r->b_inner = o->s_inner;
-    r->distance = o->distance;
+    r->overlap = out->overlaps++;
+    struct path_overlap *to = &out->overlap[r->overlap];
+    to->a_inner = o->t_inner;
+    to->b_inner = o->s_inner;
+    to->reversed = o->reversed;
+    to->distance = o->distance;
 }
 
 static enum outcome find(struct path_solver *z, int i, int j, const struct intersector *by, bool keep_order)
 {
     const struct interval whole = {0, 1};
     struct problem p;
+    memset((void *)&p, 0, sizeof p);
     p.f = z->a->segment[i];
     p.g = z->b->segment[j];
     p.f.domain = p.g.domain = whole;
     p.tolerance = z->tolerance;
     p.max_steps = z->max_steps;
-    p.bounds.scale = p.bounds.f = p.bounds.g = p.bounds.tolerance_t = p.bounds.tolerance_s = 0;
-    p.known = NULL;
-    p.known_count = 0;
-    p.swapped = false;
     p.keep_order = keep_order;
     return problem_solve(&p, by, z->workspace, z->crossings);
 }
 
-static void keep(struct path_solver *z, int i, int j, enum outcome outcome, struct path_record *record,
-                 int *records)
+static void keep(struct path_solver *z, int i, int j, enum outcome outcome, struct path_records *out)
 {
     const struct crossings *found = z->crossings;
     if (outcome != SOLVED) {
         z->worst = z->unsolved++ ? z->worst : outcome;
     }
     for (int k = 0; k < found->count; k++) {
-        add_crossing(z, i, j, &found->at[k], record, records);
+        add_crossing(z, i, j, &found->at[k], out);
     }
     for (int k = 0; k < found->overlaps; k++) {
-        add_overlap(z, i, j, &found->overlap[k], record, records);
+        add_overlap(z, i, j, &found->overlap[k], out);
     }
 }
 
@@ -126,19 +123,18 @@ static bool all_decided(enum outcome outcome, const struct crossings *found)
 
 /* Segment `later` begins where `earlier` ends, and not the other way round: what they have in common beside
  * that point.  false: it cannot be told so. */
-static bool solve_joint(struct path_solver *z, int earlier, int later, struct path_record *record,
-                        int *records)
+static bool solve_joint(struct path_solver *z, int earlier, int later, struct path_records *out)
 {
     enum outcome outcome = find(z, earlier, later, z->joints, true);
-    int first = *records;
+    int first = out->count;
     if (!all_decided(outcome, z->crossings)) {
         return false;
     }
-    keep(z, earlier, later, outcome, record, records);
-    for (int r = first; earlier > later && r < *records; r++) {
-        struct path_span s = record[r].a;
-        record[r].a = record[r].b;
-        record[r].b = s;
+    keep(z, earlier, later, outcome, out);
+    for (int r = first; earlier > later && r < out->count; r++) {
+        struct path_span s = out->at[r].a;
+        out->at[r].a = out->at[r].b;
+        out->at[r].b = s;
     }
     return true;
 }
@@ -151,11 +147,16 @@ static bool is_plain_joint(const struct path_solver *z, int i, int j)
                        (z->a->next[j] == i && path_runs_straight(&c[j], &c[i])));
 }
 
-int path_solve(struct path_solver *z, const struct path_pair *pair, int count, struct path_record *record,
-               int *records, int room)
+static bool has_room(const struct path_records *out)
+{
+    return out->room - out->count >= PATH_RECORDS_LEAST &&
+           out->overlap_room - out->overlaps >= PATH_OVERLAPS_LEAST;
+}
+
+int path_solve(struct path_solver *z, const struct path_pair *pair, int count, struct path_records *out)
 {
     int done = 0;
-    for (; done < count && room - *records >= PATH_RECORDS_LEAST; done++) {
+    for (; done < count && has_room(out); done++) {
         int i = pair[done].i, j = pair[done].j;
         if (z->a->next[i] == PATH_POINT || z->b->next[j] == PATH_POINT) {
             continue;
@@ -166,24 +167,23 @@ int path_solve(struct path_solver *z, const struct path_pair *pair, int count, s
         }
         z->solved++;
         bool after = z->self && z->a->next[i] == j, before = z->self && z->a->next[j] == i;
-        if (after == before || !solve_joint(z, after ? i : j, after ? j : i, record, records)) {
-            keep(z, i, j, find(z, i, j, z->pairs, false), record, records);
+        if (after == before || !solve_joint(z, after ? i : j, after ? j : i, out)) {
+            keep(z, i, j, find(z, i, j, z->pairs, false), out);
         }
     }
     return done;
 }
 
-int path_solve_loops(struct path_solver *z, int first, int last, struct path_record *record, int *records,
-                     int room)
+int path_solve_loops(struct path_solver *z, int first, int last, struct path_records *out)
 {
     int i = first;
-    for (; i < last && room - *records >= PATH_RECORDS_LEAST; i++) {
+    for (; i < last && has_room(out); i++) {
         const struct curve *c = &z->a->segment[i];
         if (c->degree == 1 || z->a->next[i] == PATH_POINT || path_runs_straight(c, NULL)) {
             continue;
         }
         z->looped++;
-        keep(z, i, i, find(z, i, i, z->loops, true), record, records);
+        keep(z, i, i, find(z, i, i, z->loops, true), out);
     }
     return i - first;
 }

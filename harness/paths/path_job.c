@@ -34,8 +34,6 @@ void path_job_make(struct path_job *job, const struct loaded_path *a, const stru
     job->memory_b = b ? path_memory(NULL, path_tree_size(b->path.count)) : NULL;
     job->walk = (struct path_walk *)path_memory(NULL, sizeof *job->walk);
     job->block = (struct path_pair *)path_memory(NULL, BLOCK * sizeof *job->block);
-    job->room = 4 * PATH_RECORDS_LEAST;
-    job->record = (struct path_record *)path_memory(NULL, (size_t)job->room * sizeof *job->record);
 }
 
 void path_job_clear(struct path_job *job)
@@ -47,7 +45,8 @@ void path_job_clear(struct path_job *job)
     free(job->numbers);
     free(job->walk);
     free(job->block);
-    free((void *)job->record);
+    free((void *)job->records.at);
+    free((void *)job->records.overlap);
 }
 
 /* Adds to *sum what went by since *from. */
@@ -59,13 +58,18 @@ static void lap(double *from, double *sum)
     *from = now;
 }
 
-/* Room for the records of one more pair at least. */
-static void grow(struct path_job *job)
+/* Room for one more pair at least. */
+static void grow(struct path_records *r)
 {
-    if (job->room - job->records >= PATH_RECORDS_LEAST)
-        return;
-    job->room += job->room / 2;
-    job->record = (struct path_record *)path_memory(job->record, (size_t)job->room * sizeof *job->record);
+    if (r->room - r->count < PATH_RECORDS_LEAST) {
+        r->room += r->room / 2 + PATH_RECORDS_LEAST;
+        r->at = (struct path_record *)path_memory(r->at, (size_t)r->room * sizeof *r->at);
+    }
+    if (r->overlap_room - r->overlaps < PATH_OVERLAPS_LEAST) {
+        r->overlap_room += r->overlap_room / 2 + PATH_OVERLAPS_LEAST;
+        r->overlap =
+            (struct path_overlap *)path_memory(r->overlap, (size_t)r->overlap_room * sizeof *r->overlap);
+    }
 }
 
 static void begin(struct path_job *job)
@@ -74,7 +78,7 @@ static void begin(struct path_job *job)
 
     z->solved = z->passed = z->looped = z->unsolved = 0;
     z->worst = SOLVED;
-    job->records = 0;
+    job->records.count = job->records.overlaps = 0;
     job->candidates = 0;
     memset(&job->times, 0, sizeof job->times);
     path_tree_make(&job->tree_a, &job->a->path, job->memory_a);
@@ -93,9 +97,8 @@ static bool solve_pairs(struct path_job *job, double *clock, const volatile int 
         for (int done = 0; done < count;) {
             if (*stop)
                 return false;
-            grow(job);
-            done += path_solve(&job->solver, job->block + done, count - done, job->record, &job->records,
-                               job->room);
+            grow(&job->records);
+            done += path_solve(&job->solver, job->block + done, count - done, &job->records);
         }
         lap(clock, &job->times.solve);
     }
@@ -108,9 +111,8 @@ static bool solve_singles(struct path_job *job, double *clock, const volatile in
     for (int i = 0, count = job->b ? 0 : job->a->path.count; i < count;) {
         if (*stop)
             return false;
-        grow(job);
-        i += path_solve_loops(&job->solver, i, count - i > SINGLES ? i + SINGLES : count, job->record,
-                              &job->records, job->room);
+        grow(&job->records);
+        i += path_solve_loops(&job->solver, i, count - i > SINGLES ? i + SINGLES : count, &job->records);
     }
     lap(clock, &job->times.solve);
     return true;
@@ -125,13 +127,14 @@ bool path_job_run(struct path_job *job, const volatile int *stop)
     lap(&clock, &job->times.build);
     if (!solve_pairs(job, &clock, stop) || !solve_singles(job, &clock, stop))
         return false;
-    size_t numbers = path_join_size(job->a->path.count, count_b, job->records);
+    size_t numbers = path_join_size(job->a->path.count, count_b, job->records.count);
     if (numbers > job->numbers_room)
         job->numbers = path_memory(job->numbers, job->numbers_room = numbers);
-    job->found = job->records;
+    job->found = job->records.count;
     job->bytes = bytes_of(job->a) + (job->b ? bytes_of(job->b) : 0) + BLOCK * sizeof *job->block +
-                 sizeof *job->walk + (size_t)job->room * sizeof *job->record + job->numbers_room;
-    job->records = path_records_join(&job->solver, job->record, job->records, job->numbers);
+                 sizeof *job->walk + (size_t)job->records.room * sizeof *job->records.at +
+                 (size_t)job->records.overlap_room * sizeof *job->records.overlap + job->numbers_room;
+    path_records_join(&job->solver, &job->records, job->numbers);
     lap(&clock, &job->times.join);
     return true;
 }

@@ -19,8 +19,7 @@ struct path_job {
     size_t numbers_room;
     struct path_walk *walk;
     struct path_pair *block;
-    struct path_record *record;
-    int records, room;
+    struct path_records records;
     long candidates, found; /* pairs of segments; records before they were joined */
     struct path_times times;
     size_t bytes; /* most that was allocated at once for the paths, trees, pairs and records */

@@ -38,17 +38,20 @@ static char *head_of(const struct path_job *job)
     return text;
 }
 
-static void write_record(FILE *stream, const char *head, const struct path_record *r)
+static void write_record(FILE *stream, const char *head, const struct path_record *r,
+                         const struct path_overlap *overlap)
 {
     fprintf(stream, "%s,\"segments\":[[%d,%d],[%d,%d]]", head, r->a.first, r->a.last, r->b.first, r->b.last);
     write_ends(stream, "t", r->a.lo, r->a.hi);
     write_ends(stream, "s", r->b.lo, r->b.hi);
-    if (r->overlap) {
+    if (r->overlap >= 0) {
+        const struct path_overlap *o = &overlap[r->overlap];
+
         fputs(",\"standing\":\"OVERLAP\"", stream);
-        write_ends(stream, "t_inner", r->a_inner.lo, r->a_inner.hi);
-        write_ends(stream, "s_inner", r->b_inner.lo, r->b_inner.hi);
-        fprintf(stream, ",\"reversed\":%s,\"distance\":", r->reversed ? "true" : "false");
-        write_real(stream, r->distance);
+        write_ends(stream, "t_inner", o->a_inner.lo, o->a_inner.hi);
+        write_ends(stream, "s_inner", o->b_inner.lo, o->b_inner.hi);
+        fprintf(stream, ",\"reversed\":%s,\"distance\":", o->reversed ? "true" : "false");
+        write_real(stream, o->distance);
     } else {
         fprintf(stream, ",\"standing\":\"%s\",\"at_most\":%d", standing_name(r->standing), r->at_most);
     }
@@ -63,8 +66,8 @@ void path_rows_write(FILE *stream, const struct path_job *job)
 {
     char *head = head_of(job);
 
-    for (int i = 0; i < job->records; i++)
-        write_record(stream, head ? head : "{\"id\":null", &job->record[i]);
+    for (int i = 0; i < job->records.count; i++)
+        write_record(stream, head ? head : "{\"id\":null", &job->records.at[i], job->records.overlap);
     free(head);
 }
 
@@ -74,18 +77,18 @@ void path_summary_write(const struct path_job *job)
     const struct path_times *t = &job->times;
     const struct path_solver *z = &job->solver;
 
-    for (int i = 0; i < job->records; i++) {
-        if (job->record[i].overlap)
+    for (int i = 0; i < job->records.count; i++) {
+        if (job->records.at[i].overlap >= 0)
             overlaps++;
         else
-            count[job->record[i].standing]++;
+            count[job->records.at[i].standing]++;
     }
     progress_note(
         "%s%s%s: %d segments, %ld pairs of %ld solved, %d records: %ld UNIQUE, %ld END, %ld CLUSTER, "
         "%ld CANDIDATE, %ld overlaps; %.3g ms",
         job->a->id, job->b ? " x " : " with itself", job->b ? job->b->id : "",
-        job->a->path.count + (job->b ? job->b->path.count : 0), z->solved, job->candidates, job->records,
-        count[UNIQUE], count[END], count[CLUSTER], count[CANDIDATE], overlaps,
+        job->a->path.count + (job->b ? job->b->path.count : 0), z->solved, job->candidates,
+        job->records.count, count[UNIQUE], count[END], count[CLUSTER], count[CANDIDATE], overlaps,
         (t->build + t->walk + t->solve + t->join) / 1e6);
     if (z->unsolved > 0)
         progress_note(

@@ -126,12 +126,13 @@ static json_t *row_of(const struct path_job *job, const struct samples *s)
 {
     int segments = job->a->path.count + (job->b ? job->b->path.count : 0);
     const struct path_solver *z = &job->solver;
-    json_t *row = json_pack(
-        "{s:[s,s], s:s, s:i, s:I, s:I, s:I, s:I, s:I, s:i, s:i, s:I, s:i}", "ids", job->a->id,
-        job->b ? job->b->id : job->a->id, "precision", REAL_NAME, "segments", segments, "tests",
-        (json_int_t)job->walk->tests, "candidates", (json_int_t)job->candidates, "solved",
-        (json_int_t)z->solved, "looped", (json_int_t)z->looped, "unsolved", (json_int_t)z->unsolved, "found",
-        (int)job->found, "records", job->records, "bytes", (json_int_t)job->bytes, "samples", s->rounds);
+    json_t *row =
+        json_pack("{s:[s,s], s:s, s:i, s:I, s:I, s:I, s:I, s:I, s:i, s:i, s:I, s:i}", "ids", job->a->id,
+                  job->b ? job->b->id : job->a->id, "precision", REAL_NAME, "segments", segments, "tests",
+                  (json_int_t)job->walk->tests, "candidates", (json_int_t)job->candidates, "solved",
+                  (json_int_t)z->solved, "looped", (json_int_t)z->looped, "unsolved", (json_int_t)z->unsolved,
+                  "found", (int)job->found, "records", job->records.count, "bytes", (json_int_t)job->bytes,
+                  "samples", s->rounds);
     for (int k = 0; k < STAGES; k++) {
         char name[32];
 
