@@ -243,28 +243,33 @@ static char *attribute(char *text, char *end, const char *name, char **after)
     return NULL;
 }
 
+/* An SVG file: `text`, where bytes 0 are put after attributes, and a copy that stays whole. */
+struct svg_file {
+    const char *file;
+    char *text, *whole;
+    int paths;
+};
+
 /* One <path ...> tag. */
-static int read_tag(struct path_set *set, const char *file, const char *whole, char *tag, char *end,
-                    int number)
+static int read_tag(struct path_set *set, struct svg_file *f, char *tag, char *end)
 {
     char *data_end, *id_end, made[40], *data = attribute(tag, end, "d", &data_end),
                                        *id = attribute(tag, end, "id", &id_end);
-    int status = 0;
 
-    snprintf(made, sizeof made, "path%d", number);
+    snprintf(made, sizeof made, "path%d", ++f->paths);
     if (!data)
         return 0;
     if (id)
         *id_end = 0;
     *data_end = 0;
-    status = read_plain(set, file, id && *id ? id : made, whole, (size_t)(data - whole), data);
-    return status;
+    return read_plain(set, f->file, id && *id ? id : made, f->whole, (size_t)(data - f->text), data);
 }
 
 static int read_svg(struct path_set *set, const char *file, char *text)
 {
-    char *whole = strdup(text), *tag = text;
-    int worst = 0, number = 0;
+    struct svg_file f = {file, text, strdup(text), 0};
+    char *tag = text;
+    int worst = 0;
 
     if (strstr(text, "transform"))
         progress_note("%s: transformations are not applied", file);
@@ -275,11 +280,11 @@ static int read_svg(struct path_set *set, const char *file, char *text)
             tag += 5;
             continue;
         }
-        if (read_tag(set, file, whole, tag + 5, end, ++number))
+        if (read_tag(set, &f, tag + 5, end))
             worst = 65;
         tag = end;
     }
-    free(whole);
+    free(f.whole);
     return worst;
 }
 

@@ -153,10 +153,11 @@ static bool draw(struct pen *p, size_t at, int degree, real *x, real *y)
 
 static bool move(struct pen *p, bool relative)
 {
-    if (!read_pair(p, relative, "x", "y", &p->x, &p->y))
+    real x, y;
+    if (!read_pair(p, relative, "x", "y", &x, &y))
         return false;
-    p->start_x = p->x;
-    p->start_y = p->y;
+    p->x = p->start_x = x;
+    p->y = p->start_y = y;
     path_draft_break(p->d);
     return true;
 }
