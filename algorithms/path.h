@@ -7,6 +7,8 @@
 #ifndef FATLINE_PATH_H
 #define FATLINE_PATH_H
 
+#include <stdint.h>
+
 #include "bezier.h"
 
 /* ---- a path ---- */
@@ -65,9 +67,8 @@ struct path_place {
 
 enum { PATH_WAIT = 2 * PATH_LEVELS * PATH_FAN * PATH_FAN, PATH_BLOCK_LEAST = PATH_FAN * PATH_FAN };
 
-/* Bit k of met[i], for the i that are bits of `which`: box i of `from` meets box k of `to`. */
-typedef void path_boxes(const struct path_node *from, unsigned which, const struct path_node *to,
-                        unsigned char met[PATH_FAN]);
+/* Bit 8 i + k, for the i that are bits of `which`: box i of `from` meets box k of `to`. */
+typedef uint64_t path_boxes(const struct path_node *from, unsigned which, const struct path_node *to);
 
 struct path_walk {
     const struct path_tree *a, *b;

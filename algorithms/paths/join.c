@@ -19,6 +19,7 @@ struct joining {
     int *head[2]; /* of the lists of records that reach a joint, by the segment that ends there */
     int *next;    /* of entries: 4 r + 2 side + end */
     int *order;
+    int reaching; /* so many records reach a joint */
     int chains;
 };
 
@@ -78,19 +79,23 @@ static void unite(struct path_record *record, int p, int q)
     }
 }
 
+/* Records that reach a joint go on its list, and into `order`. */
 static void list_joints(struct joining *j)
 {
+    j->reaching = 0;
     for (int r = 0; r < j->records; r++) {
+        bool reaches = false;
         j->record[r].link = r;
-        for (int side = 0; side <= 1; side++) {
-            for (int end = 0; end <= 1; end++) {
-                int joint = joint_of(path_of(j->z, side), span_at(&j->record[r], side), end);
-                if (joint >= 0) {
-                    int entry = 4 * r + 2 * side + end;
-                    j->next[entry] = j->head[side][joint];
-                    j->head[side][joint] = entry;
-                }
+        for (int k = 0; k < 4; k++) { /* entry 4 r + 2 side + end */
+            int side = k / 2, joint = joint_of(path_of(j->z, side), span_at(&j->record[r], side), k % 2);
+            if (joint >= 0) {
+                j->next[4 * r + k] = j->head[side][joint];
+                j->head[side][joint] = 4 * r + k;
+                reaches = true;
             }
+        }
+        if (reaches) {
+            j->order[j->reaching++] = r;
         }
     }
 }
@@ -106,10 +111,15 @@ static void try_to_unite(struct joining *j, int e, int f)
     }
 }
 
-static void unite_all(struct joining *j, int side)
+static void unite_all(struct joining *j)
 {
-    for (int joint = 0; joint < path_of(j->z, side)->count; joint++) {
-        for (int e = j->head[side][joint]; e >= 0; e = j->next[e]) {
+    for (int at = 0; at < j->reaching; at++) {
+        int r = j->order[at];
+        for (int e = 4 * r; e < 4 * r + 4; e++) {
+            int side = e / 2 % 2;
+            if (joint_of(path_of(j->z, side), span_at(&j->record[r], side), e % 2) < 0) {
+                continue;
+            }
             for (int f = j->next[e]; f >= 0; f = j->next[f]) {
                 try_to_unite(j, e, f);
             }
@@ -272,28 +282,21 @@ static void settle_group(struct joining *j, int root)
     }
 }
 
-/* Does the record reach a joint at all? */
-static bool is_at_a_joint(const struct joining *j, const struct path_record *r)
-{
-    return joint_of(j->z->a, &r->a, 0) >= 0 || joint_of(j->z->a, &r->a, 1) >= 0 ||
-           joint_of(j->z->b, &r->b, 0) >= 0 || joint_of(j->z->b, &r->b, 1) >= 0;
-}
-
 static void settle_groups(struct joining *j)
 {
-    for (int r = 0; r < j->records; r++) {
-        j->next[4 * r] = -1;
+    for (int at = 0; at < j->reaching; at++) {
+        j->next[4 * j->order[at]] = -1;
     }
-    for (int r = j->records - 1; r >= 0; r--) {
-        int root = root_of(j->record, r);
+    for (int at = j->reaching - 1; at >= 0; at--) {
+        int r = j->order[at], root = root_of(j->record, r);
         if (root != r) { /* a root has the least number of its group, and comes last */
             j->next[4 * r] = j->next[4 * root];
             j->next[4 * root] = r;
         }
     }
-    for (int r = 0; r < j->records; r++) {
-        if (j->record[r].link == r && is_at_a_joint(j, &j->record[r])) {
-            settle_group(j, r);
+    for (int at = 0; at < j->reaching; at++) {
+        if (j->record[j->order[at]].link == j->order[at]) {
+            settle_group(j, j->order[at]);
         }
     }
 }
@@ -422,10 +425,7 @@ void path_records_join(const struct path_solver *z, struct path_records *all, vo
         j.head[0][i] = -1;
     }
     list_joints(&j);
-    unite_all(&j, 0);
-    if (!z->self) {
-        unite_all(&j, 1);
-    }
+    unite_all(&j);
     settle_groups(&j);
     drop_gone(&j);
     turn_spans(&j);

@@ -46,10 +46,21 @@ struct reach {
 
 static inline void reach_point(struct reach *r, real x, real y)
 {
-    real h[4] = {x, y, x + y, x - y};
-    for (int k = 0; k < 4; k++) {
-        r->low[k] = real_min(r->low[k], h[k]);
-        r->high[k] = real_max(r->high[k], h[k]);
+    real sum = x + y, difference = x - y;
+    r->low[0] = real_min(r->low[0], x);
+    r->low[1] = real_min(r->low[1], y);
+    r->low[2] = real_min(r->low[2], sum);
+    r->low[3] = real_min(r->low[3], difference);
+    r->high[0] = real_max(r->high[0], x);
+    r->high[1] = real_max(r->high[1], y);
+    r->high[2] = real_max(r->high[2], sum);
+    r->high[3] = real_max(r->high[3], difference);
+}
+
+static inline void reach_polynomial(const int n, const real *x, const real *y, struct reach *r)
+{
+    for (int i = 0; i <= n; i++) {
+        reach_point(r, x[i], y[i]);
     }
 }
 
@@ -74,10 +85,10 @@ static void box_of_segment(const struct curve *c, struct path_node *node, int k)
     }
     if (c->w) {
         reach_rational(c, &r);
+    } else if (c->degree == 3) {
+        reach_polynomial(3, c->x, c->y, &r);
     } else {
-        for (int i = 0; i <= c->degree; i++) {
-            reach_point(&r, c->x[i], c->y[i]);
-        }
+        reach_polynomial(c->degree, c->x, c->y, &r);
     }
     for (int h = 0; h < 4; h++) {
         node->low[h][k] = real_to_double(r.low[h]);

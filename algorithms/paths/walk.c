@@ -4,8 +4,6 @@
  * No pair is lost: a box holds those below it, so segments whose octagons meet lie below boxes that meet, at
  * every level. Of one path the pairs of boxes with a <= b are enough: all others are the same pairs the other
  * way. */
-#include <stdint.h>
-
 #include "paths.h"
 
 static void wait(struct path_walk *walk, int level_a, int a, int level_b, int b)
@@ -33,14 +31,12 @@ void path_walk_begin(struct path_walk *walk, const struct path_tree *a, const st
 static unsigned worth(struct path_walk *walk, const struct path_tree *tree, int level, int node,
                       const struct path_node *of)
 {
-    unsigned char met[PATH_FAN];
     int i = node % PATH_FAN;
     if (level + 1 >= tree->levels) {
         return (1u << PATH_FAN) - 1;
     }
     walk->tests++;
-    walk->boxes(&tree->level[level + 1][node / PATH_FAN], 1u << i, of, met);
-    return met[i];
+    return (unsigned)(walk->boxes(&tree->level[level + 1][node / PATH_FAN], 1u << i, of) >> PATH_FAN * i);
 }
 
 /* The node of the taller tree is opened: its boxes that meet the other node wait. */
@@ -67,13 +63,8 @@ static uint64_t pairs_met(struct path_walk *walk, const struct path_place *at)
 {
     const struct path_node *a = &walk->a->level[at->level_a][at->a], *b = &walk->b->level[at->level_b][at->b];
     unsigned which = worth(walk, walk->b, at->level_b, at->b, a);
-    unsigned char met[PATH_FAN] = {0, 0, 0, 0, 0, 0, 0, 0};
-    uint64_t pairs = 0;
     walk->tests += __builtin_popcount(which);
-    walk->boxes(a, which, b, met);
-    for (int i = 0; i < PATH_FAN; i++) {
-        pairs |= (uint64_t)met[i] << PATH_FAN * i;
-    }
+    uint64_t pairs = walk->boxes(a, which, b);
     return walk->self && at->a == at->b ? pairs & upper : pairs;
 }
 

@@ -2,8 +2,6 @@
 #ifndef FATLINE_PATH_SET_H
 #define FATLINE_PATH_SET_H
 
-#include <stdint.h>
-
 #include "../../algorithms/path.h"
 
 struct loaded_path {
