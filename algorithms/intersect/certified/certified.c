@@ -34,7 +34,7 @@ static size_t level_length(int n, int m)
     return 3 * (size_t)(n + 1 + m + 1) + source_length(n) + source_length(m);
 }
 
-static size_t scratch(int n, int m)
+size_t certified_scratch(int n, int m)
 {
     return 2 * numbers_for(NODES_MAX * sizeof(struct node)) + numbers_for(PAIRS_MAX * sizeof(struct pair)) +
            (size_t)NODES_MAX * (size_t)(node_stride(n) + node_stride(m)) + LEVELS_MAX * level_length(n, m);
@@ -72,6 +72,7 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->levels = z->pairs = z->solved = 0;
     z->next_look = w->steps + FIRST_LOOK;
     z->suspicions = 0;
+    z->alone = false;
 }
 
 /* ---- level 0 ---- */
@@ -97,7 +98,7 @@ static int root_make(struct tree *tree, const struct source *c)
     return k;
 }
 
-/* false: the octagons are apart */
+/* Level 0 and its roots; false: the octagons are apart. */
 static bool begin(struct solver *z)
 {
     const struct problem *p = z->p;
@@ -121,12 +122,15 @@ static bool begin(struct solver *z)
 }
 
 /* The whole problem, or what a front left of it. */
-static void push_rest(struct solver *z, const struct rest *rest)
+static void begin_with_all(struct solver *z, const struct rest *rest)
 {
-    if (!rest) {
-        pair_push(z, 0, z->root_f, z->root_g, 0);
-    }
-    for (int i = 0; rest && i < rest->count; i++) {
+    (void)rest;
+    pair_push(z, 0, z->root_f, z->root_g, 0);
+}
+
+static void begin_with_rest(struct solver *z, const struct rest *rest)
+{
+    for (int i = 0; i < rest->count; i++) {
         pair_push_rectangle(z, &rest->at[i].t, &rest->at[i].s);
     }
 }
@@ -278,34 +282,43 @@ static void step(struct solver *z)
     }
 }
 
-static enum outcome solve(const struct problem *p, const struct rest *rest, struct workspace *w,
-                          struct crossings *out)
+static void settle_all(struct solver *z)
+{
+    while (z->pairs > 0) {
+        if (!z->alone && z->w->steps >= z->next_look) {
+            look_for_overlaps(z);
+        }
+        if (is_crowded(&z->f) || is_crowded(&z->g)) {
+            nodes_collect(z);
+        }
+        step(z);
+    }
+}
+
+enum outcome certified_search(const struct problem *p, struct workspace *w, struct crossings *out,
+                              void (*begin_with)(struct solver *z, const struct rest *rest),
+                              const struct rest *rest)
 {
     struct solver z;
-    if (rest && rest->count == 0) {
-        return SOLVED;
-    }
     solver_init(&z, p, w, out);
     if (!begin(&z)) {
         return SOLVED;
     }
-    push_rest(&z, rest);
-    while (z.pairs > 0) {
-        if (w->steps >= z.next_look) {
-            look_for_overlaps(&z);
-        }
-        if (is_crowded(&z.f) || is_crowded(&z.g)) {
-            nodes_collect(&z);
-        }
-        step(&z);
-    }
+    begin_with(&z, rest);
+    settle_all(&z);
     records_tidy(&z);
     return z.outcome;
 }
 
 static enum outcome intersect_scalar(const struct problem *p, struct workspace *w, struct crossings *out)
 {
-    return solve(p, NULL, w, out);
+    return certified_search(p, w, out, begin_with_all, NULL);
+}
+
+static enum outcome search_rest(const struct problem *p, const struct rest *rest, struct workspace *w,
+                                struct crossings *out)
+{
+    return rest->count == 0 ? SOLVED : certified_search(p, w, out, begin_with_rest, rest);
 }
 
 /* A front that refused the problem as it came may still take the prepared one. */
@@ -313,9 +326,9 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
 {
     struct rest rest;
     if (p->rest) {
-        return solve(p, p->rest, w, out);
+        return search_rest(p, p->rest, w, out);
     }
-    return solve(p, front_of_prepared(p, w, out, &rest) ? &rest : NULL, w, out);
+    return front_of_prepared(p, w, out, &rest) ? search_rest(p, &rest, w, out) : intersect_scalar(p, w, out);
 }
 
 #define REFERENCE                                                                                            \
@@ -328,7 +341,7 @@ const struct intersector certified = {
     .reference = REFERENCE,
     .claimed = {0, 0, 0, 0},
     .intersect = intersect,
-    .scratch = scratch,
+    .scratch = certified_scratch,
     .points_only = false,
     .front = front_of_certified,
 };
@@ -340,6 +353,6 @@ const struct intersector certified_scalar = {
     .reference = REFERENCE,
     .claimed = {0, 0, 0, 0},
     .intersect = intersect_scalar,
-    .scratch = scratch,
+    .scratch = certified_scratch,
     .points_only = false,
 };

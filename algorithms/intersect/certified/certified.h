@@ -102,10 +102,20 @@ struct solver {
     int root_f, root_g;
     int next_look;  /* steps before overlaps are looked for (again) */
     int suspicions; /* so often a gap was no more than rounding */
+    bool alone;     /* shared arcs are not looked for: loops.c */
 };
 
 /* CLOSED: every solution of the pair is in some record.  OPEN: nothing is known. */
 enum verdict { OPEN, CLOSED };
+
+/* ---- certified.c ---- */
+
+/* Settles the pairs of nodes of level 0 that begin_with pushes, which all solutions asked for lie in; it is
+ * given `rest`. */
+enum outcome certified_search(const struct problem *p, struct workspace *w, struct crossings *out,
+                              void (*begin_with)(struct solver *z, const struct rest *rest),
+                              const struct rest *rest);
+size_t certified_scratch(int n, int m);
 
 /* ---- nodes.c ---- */
 
