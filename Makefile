@@ -21,8 +21,8 @@ PRECISIONS = double quad multi
 
 # ---- what is built from what ---------------------------------------------------------------------------------
 
-COMMON_MODULES = case case_fields case_expected number random row exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter exact_answer json_text truth_compare referee referee_truth referee_place referee_pair referee_krawczyk referee_cells region_case $(COMMON_EXTRA)
-REAL_MODULES   = real_text problem answer judge judge_points guard judge_groups judge_curves judge_overlaps check_options check_case check_table check_estimate check_worker algorithms_named external solve_options answer_table clock case_set instructions time_worker contestant compare_builds compare_files timing timing_work timing_rows time_family time_options \
+COMMON_MODULES = case case_fields case_expected number random row exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter exact_answer exact_apart json_text truth_compare referee referee_truth referee_place referee_pair referee_krawczyk referee_cells region_case $(COMMON_EXTRA)
+REAL_MODULES   = real_text problem answer judge judge_points judge_strict decide guard judge_groups judge_curves judge_overlaps check_options check_case check_table check_estimate check_worker algorithms_named external solve_options answer_table clock case_set instructions time_worker contestant compare_builds compare_files timing timing_work timing_rows time_family time_options \
                  planted_roots measuring path order_measure lemma_reduction lemma_cut \
                  region_problem region_answer region_check region_check_expected region_check_sample region_sample region_options
 COMMON_EXTRA   = progress statistics resume noise regression order_estimate known_solutions close_up cost_law
@@ -39,7 +39,7 @@ PROGRAMS_ONCE = generate truth
 PROGRAMS_WATCHED = trace order cost lemma
 GENERATE_MODULES = draft draft_facts draft_contact family family_parts family_local family_write family_random \
                    family_crossing family_scale family_many family_contact family_degenerate family_overlap \
-                   family_circle outline glyphs
+                   family_circle family_adverse outline glyphs
 
 LIBS_double = -llapacke -llapack -lblas
 LIBS_quad   = -lquadmath

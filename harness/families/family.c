@@ -36,6 +36,10 @@ const struct family families[] = {
      .own_weights = true},
     {"circle_tangent", "two circular arcs that touch, from inside or outside", family_circle_tangent, 2, 2, 6,
      6, .own_weights = true},
+    {"on_cut", "random, with a crossing where both parameters are short binary fractions", family_on_cut, 1,
+     1, 12, 0},
+    {"sliver", "random, flattened by 2^-1 to 2^-28 in some direction", family_sliver, 1, 1, 32, 0},
+    {"scaled", "random, times 2^-498 to 2^498, moved by up to 2^30 of its size", family_scaled, 1, 1, 32, 0},
     {NULL}};
 
 const char *family_refuses(const struct family *a, int n, int m, bool weights, char why[160])

@@ -89,5 +89,8 @@ FAMILY(zero_end);
 FAMILY(overlap);
 FAMILY(circle_crossing);
 FAMILY(circle_tangent);
+FAMILY(on_cut);
+FAMILY(sliver);
+FAMILY(scaled);
 
 #endif
