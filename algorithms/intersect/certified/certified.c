@@ -6,7 +6,8 @@
  * - all directions cross all others the same way: at most one solution, decided, found and proved by Newton's
  * method on the extended pair (cone.c, solve_one.c, ends.c);
  * - strips along the chords apart: nothing; arcs side by side that turn differently: none, two, or a contact
- * (graphs.c, contact.c); a derivative of the gap of one sign: at most so many (cluster.c);
+ * (graphs.c, contact.c); a derivative of the gap of one sign: at most so many (cluster.c); a cusp at a
+ * cusp: at most so many (cusps.c);
  * - a shared arc (overlap.c).
  *
  * Where rounding hides what is there, the place is cut again with twice the digits (zoom.c).  What is still
@@ -153,14 +154,17 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    const real small = (real)1 / 1024;
+    const real small = (real)1 / 1024, tiny = (real)1 / 256;
     struct graphs h;
     if (!f->wide && !g->wide && strips_apart(v, f, g)) {
         return CLOSED;
     }
     bool last = narrow_t(z, v, f) && narrow_s(z, v, g);
-    if ((at->rest > 0 && !last) || (f->wide && g->wide)) {
+    if (at->rest > 0 && !last) {
         return OPEN;
+    }
+    if (f->wide && g->wide) {
+        return at->level > 0 || (f->hi - f->lo) * (g->hi - g->lo) <= tiny ? cusps_settle(z, at) : OPEN;
     }
     bool graphs = !f->wide && !g->wide && graphs_init(v, f, g, &h);
     if (graphs && (h.apart || overlap_holds(z, at->level, f, g, &h) ||
