@@ -169,7 +169,7 @@ bool region_is_solved(const struct solver *z, int level, const struct zero *x);
 /* The same where nothing is proved: OPEN if there is no closer look to be had. */
 enum verdict region_look(struct solver *z, int level, const struct zero *x);
 
-/* From local parameters of a level to the problem's. */
+/* From local parameters of a level to the problem's, rounded outwards. */
 struct interval level_t(const struct level *v, real lo, real hi);
 struct interval level_s(const struct level *v, real lo, real hi);
 /* Does the rectangle lie in a solved one? */

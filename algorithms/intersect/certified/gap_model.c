@@ -19,13 +19,21 @@
 
 /* ---- enclosures of Taylor coefficients by the own parameter ---- */
 
+/* Of the points of a frame: |e|_1 <= 1.5 times their own, and 10 u S of rounding, u S <= E / (12 n + 1).  A node
+ * that is the whole source has the source's points, which are not cut. */
+static real frame_error(const struct source *c, const struct node *a)
+{
+    bool whole = a->lo == 0 && a->hi == 1;
+    return whole ? 2 * c->error + 12 * c->node_error / (12 * c->n + 1) : 3 * c->node_error;
+}
+
 static void frame_node(const struct source *c, const struct node *a, real ex, real ey, real x0, real y0,
                        struct framed *out)
 {
     const real *x = a->points, *y = x + c->n + 1, *w = y + c->n + 1;
     out->n = c->n;
     out->rational = c->rational;
-    out->error = 3 * c->node_error; /* |e|_1 <= 1.5, and rounding: 10 u S < E */
+    out->error = frame_error(c, a);
     for (int i = 0; i <= c->n; i++) {
         real weight = c->rational ? w[i] : (real)1, dx = x[i] - x0 * weight, dy = y[i] - y0 * weight;
         out->c[0][i] = ex * dx + ey * dy;

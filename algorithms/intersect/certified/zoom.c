@@ -107,14 +107,14 @@ static void enlarge(const struct cut *cut, real *points, real factor, real error
 static void span_make(real x, real radius, struct interval *out)
 {
     enum { PARTS = 64 };
-    real width = real_ldexp(1, real_exponent(radius) + 3);
+    real width = real_ldexp(1, real_exponent(radius) + 2);
     if (width >= 1) {
         out->lo = 0;
         out->hi = 1;
         return;
     }
     /* the nearest multiple of width / PARTS, by adding and subtracting a number whose last place that is */
-    real big = real_ldexp(width / PARTS, REAL_BITS - 1), lo = x - width / 2;
+    real big = real_ldexp(width / PARTS, REAL_BITS - 1), lo = x - width * 21 / 64;
     lo = (lo + big) - big;
     out->lo = clamp(lo, 0, 1 - width);
     out->hi = out->lo + width;
