@@ -71,7 +71,7 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->level_numbers = at;
     z->levels = z->pairs = z->solved = 0;
     z->next_look = FIRST_LOOK;
-    z->suspicions = 0;
+    z->suspicions = z->looks = 0;
 }
 
 /* ---- level 0 ---- */

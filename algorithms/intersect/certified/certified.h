@@ -102,6 +102,7 @@ struct solver {
     int root_f, root_g;
     int next_look;  /* steps before overlaps are looked for (again) */
     int suspicions; /* so often a gap was no more than rounding */
+    int looks;      /* closer looks at pairs that would be candidates */
 };
 
 /* CLOSED: every solution of the pair is in some record.  OPEN: nothing is known. */

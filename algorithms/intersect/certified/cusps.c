@@ -236,13 +236,14 @@ struct box {
 static bool crossed(const struct germ *a, int p, const struct germ *b, int q, struct box *out)
 {
     real bx = b->x[q], by = b->y[q], ax = a->x[p], ay = a->y[p], r = a->reach, s = b->reach;
-    for (int k = 0; k < 48; k++) {
+    for (int k = 0; k < 128; k++) {
         real next_r = root_of(bound_crossed(a, p, r, b, s, bx, by), p);
         real next_s = root_of(bound_crossed(b, q, s, a, r, ax, ay), q);
         if (k == 0 && !(next_r < r && next_s < s)) {
             return false;
         }
-        bool same = !(next_r < (real)0.75 * r) && !(next_s < (real)0.75 * s);
+        const real less = (real)15 / 16;
+        bool same = !(next_r < less * r) && !(next_s < less * s);
         r = real_min(r, next_r);
         s = real_min(s, next_s);
         if (same) {

@@ -158,8 +158,8 @@ bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const 
     if (z->levels == LEVELS_MAX || from != z->levels - 1) {
         return false;
     }
-    span_make(v->t.lo + wt * x->t, wt * x->rt + 2 * REAL_EPSILON, &t);
-    span_make(v->s.lo + ws * x->s, ws * x->rs + 2 * REAL_EPSILON, &s);
+    span_make(v->t.lo + wt * x->t, wt * x->rt + 32 * REAL_EPSILON, &t);
+    span_make(v->s.lo + ws * x->s, ws * x->rs + 32 * REAL_EPSILON, &s);
     if (t.hi - t.lo > shorter * wt && s.hi - s.lo > shorter * ws) {
         return false;
     }
