@@ -155,6 +155,8 @@ enum search solve_one(const struct level *v, const struct node *f, const struct 
 /* Settles a pair with cone_gap > 0 and the given zero. */
 enum verdict zero_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                          const struct zero *x);
+/* Of two records that hold one zero each, and are proved to hold the same, the narrower stays. */
+void zeros_unite(struct solver *z);
 /* Looks for a single zero in (x->t +- wt) x (x->s +- ws), local parameters.  ZERO: there is one, at *found,
  * and it has been reported.  NO_ZERO: there is none.  STUCK: nothing is proved.  Smaller rectangles are tried
  * in turn, but all more than twice as large as x's own. */

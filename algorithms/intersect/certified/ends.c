@@ -235,6 +235,55 @@ enum verdict zero_settle(struct solver *z, int level, const struct node *f, cons
     return report(z, level, x) == LATER ? OPEN : CLOSED;
 }
 
+/* ---- one zero, two records ---- */
+
+static bool overlap(const struct interval *a, const struct interval *b)
+{
+    return a->lo <= b->hi && b->lo <= a->hi;
+}
+
+/* Is there at most one zero of the extended pair in a rectangle that holds both? */
+static bool holds_one(struct solver *z, const struct crossing *a, const struct crossing *b)
+{
+    enum { TRIES = 8, SMALLER = 16 };
+    real t0 = real_min(a->t.lo, b->t.lo), t1 = real_max(a->t.hi, b->t.hi);
+    real s0 = real_min(a->s.lo, b->s.lo), s1 = real_max(a->s.hi, b->s.hi);
+    real width = real_max(t1 - t0, s1 - s0), w = (real)1 / 16;
+    for (int k = 0; k < TRIES && w > 2 * width; k++, w = w / SMALLER) {
+        struct node f, g;
+        struct zero found;
+        enum search search = search_around(z, 0, (t0 + t1) / 2, (s0 + s1) / 2, w, w, &f, &g, &found);
+        if (search != STUCK) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* An END's zero may lie beyond the domain: the rectangle's extension is the record's there, by the tangent at
+ * the same end. */
+void zeros_unite(struct solver *z)
+{
+    struct crossing *at = z->out->at;
+    for (int i = 0; i < z->out->count; i++) {
+        for (int k = i + 1; k < z->out->count; k++) {
+            bool zeros = (at[i].standing == UNIQUE || at[i].standing == END) &&
+                         (at[k].standing == UNIQUE || at[k].standing == END);
+            if (!zeros || !overlap(&at[i].t, &at[k].t) || !overlap(&at[i].s, &at[k].s) ||
+                !holds_one(z, &at[i], &at[k])) {
+                continue;
+            }
+            bool later = at[k].standing != at[i].standing ? at[k].standing == UNIQUE
+                                                          : at[k].t.hi - at[k].t.lo < at[i].t.hi - at[i].t.lo;
+            if (later) {
+                at[i] = at[k];
+            }
+            at[k] = at[--z->out->count];
+            k = i;
+        }
+    }
+}
+
 /* ---- several ---- */
 
 /* Is x, cut off at the ends of the level, within the node? */

@@ -22,17 +22,15 @@ void records_tidy(struct solver *z)
 {
     struct crossing *at = z->out->at;
     for (int i = 0; i < z->out->count; i++) {
-        for (int k = 0; at[i].standing == CLUSTER && k < z->out->count;) {
+        for (int k = 0; at[i].standing == CLUSTER && k < z->out->count; k++) {
             if (k != i && is_idle(&at[k], &at[i])) {
-                int last = --z->out->count;
-                at[k] = at[last];
-                i = i == last ? k : i;
-                k = 0;
-            } else {
-                k++;
+                at[k] = at[--z->out->count];
+                i = k = -1; /* what has moved may hold others: again from the beginning */
+                break;
             }
         }
     }
+    zeros_unite(z);
 }
 
 static void record_pair(struct solver *z, const struct pair *at)
