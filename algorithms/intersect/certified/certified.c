@@ -8,7 +8,7 @@
  * - strips along the chords apart: nothing; arcs side by side that turn differently: none, two, or a contact
  * (graphs.c, contact.c); a derivative of the gap of one sign: at most so many (cluster.c); a cusp at a
  * cusp: at most so many (cusps.c);
- * - a shared arc (overlap.c).
+ * - a shared arc (overlap.c); a curve that is one point (point.c).
  *
  * Where rounding hides what is there, the place is cut again with twice the digits (zoom.c).  What is still
  * open when both parameters are as narrow as asked is a CANDIDATE.  Every pair that leaves the stack is
@@ -277,6 +277,9 @@ static enum outcome intersect(const struct problem *p, struct workspace *w, stru
     solver_init(&z, p, w, out);
     if (!begin(&z)) {
         return SOLVED;
+    }
+    if (point_settle(&z)) {
+        return z.outcome;
     }
     while (z.pairs > 0) {
         if (w->steps >= z.next_look) {

@@ -196,6 +196,11 @@ void level_give_up(struct solver *z);
 /* Looks for a shared arc; true: one was added to the records. */
 bool overlap_find(struct solver *z);
 
+/* ---- point.c ---- */
+
+/* If one of the curves is a point, settles all; else false. */
+bool point_settle(struct solver *z);
+
 /* ---- stack.c ---- */
 
 /* Adds c; a CANDIDATE wider than asked means that the problem is not SOLVED. */

@@ -151,7 +151,7 @@ static bool level_new(struct solver *z, const struct interval *t, const struct i
 
 bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const struct crossing *otherwise)
 {
-    enum { STEPS = 64 };
+    enum { STEPS = 192 };
     const struct level *v = &z->level[from];
     real wt = v->t.hi - v->t.lo, ws = v->s.hi - v->s.lo;
     struct interval t, s;
@@ -183,12 +183,39 @@ bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const 
     return true;
 }
 
+/* Where all that is known is a region wider than asked, it is taken up again as a pair, and halved a few
+ * times before any other look. */
+static bool go_on_below(struct solver *z, const struct crossing *region)
+{
+    enum { HALVINGS = 8 };
+    const struct bounds *b = &z->p->bounds;
+    const struct level *v = &z->level[0];
+    bool narrow =
+        region->t.hi - region->t.lo <= b->tolerance_t && region->s.hi - region->s.lo <= b->tolerance_s;
+    int f, g;
+    if (region->standing != CANDIDATE || narrow || !(f = node_new(&z->f)) || !(g = node_new(&z->g))) {
+        return false;
+    }
+    struct node *c = &z->f.node[f], *d = &z->g.node[g];
+    c->way = c->points + (v->f.rational ? 3 : 2) * (v->f.n + 1);
+    d->way = d->points + (v->g.rational ? 3 : 2) * (v->g.n + 1);
+    node_cut(&v->f, region->t.lo, region->t.hi, c);
+    node_cut(&v->g, region->s.lo, region->s.hi, d);
+    pair_push(z, 0, f, g, HALVINGS);
+    return true;
+}
+
 void level_give_up(struct solver *z)
 {
     const struct level *v = &z->level[z->levels - 1];
+    const struct crossing nowhere = {{2, 2}, {2, 2}, CANDIDATE, 0, 0};
     z->pairs = v->pairs;
     if (v->records >= 0 && !z->out->merged) { /* merged, they may have moved: then they stay */
         z->out->count = v->records;
+    }
+    if (go_on_below(z, &v->otherwise)) {
+        solved_shrink(z, z->levels - 1, &nowhere);
+        return;
     }
     record_add(z, &v->otherwise);
     solved_shrink(z, z->levels - 1, &v->otherwise);
