@@ -205,12 +205,15 @@ static enum verdict settle(struct solver *z, struct pair *at)
     return settle_beside(z, at);
 }
 
-/* Once in a while, where there is too much to do: if there is a shared arc, all begins anew without it. */
+/* Once in a while, where there is too much to do: if there is a shared arc, all begins anew without it.  The
+ * longer it takes, the farther apart the arcs may be: nearly one, they are told as one, with how far, before
+ * the places where they meet fill thousands of records. */
 static void look_for_overlaps(struct solver *z)
 {
     enum { TIMES = 8 };
+    int looser = z->next_look <= FIRST_LOOK ? 0 : z->next_look <= TIMES * FIRST_LOOK ? 7 : 16;
     z->next_look = TIMES * (z->next_look < FIRST_LOOK ? (int)FIRST_LOOK : z->next_look);
-    if (overlap_find(z)) {
+    if (overlap_find(z, looser)) {
         z->out->count = 0;
         z->out->merged = false;
         z->outcome = SOLVED;
