@@ -92,5 +92,8 @@ FAMILY(circle_tangent);
 FAMILY(on_cut);
 FAMILY(sliver);
 FAMILY(scaled);
+FAMILY(overlap_beside);
+FAMILY(near_overlap);
+FAMILY(point_curve);
 
 #endif

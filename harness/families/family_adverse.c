@@ -96,3 +96,32 @@ bool family_scaled(struct draft *d, struct request *r)
     fmpq_clear(y);
     return true;
 }
+
+bool family_point_curve(struct draft *d, struct request *r)
+{
+    struct points *point = r->index & 1 ? &d->g : &d->f, *other = r->index & 1 ? &d->f : &d->g;
+    fmpq_t t, x, y;
+    fmpq_init(t);
+    fmpq_init(x);
+    fmpq_init(y);
+    scatter(other, r, 12);
+    if (r->index / 2 % 4 == 3) { /* anywhere, else on the other curve */
+        fmpq_set_si(x, (slong)random_between(&r->random, 0, 4095), 4096);
+        fmpq_set_si(y, (slong)random_between(&r->random, 0, 4095), 4096);
+        fmpq_canonicalise(x);
+        fmpq_canonicalise(y);
+    } else {
+        fmpq_set_si(t, (slong)random_between(&r->random, 0, 8), 8);
+        fmpq_canonicalise(t);
+        points_value(x, y, other, t);
+    }
+    for (int i = 0; i <= point->degree; i++) {
+        fmpq_set(point->x[i], x);
+        fmpq_set(point->y[i], y);
+    }
+    d->class_name = "degenerate";
+    fmpq_clear(t);
+    fmpq_clear(x);
+    fmpq_clear(y);
+    return true;
+}
