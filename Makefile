@@ -24,12 +24,12 @@ PRECISIONS = double quad multi
 COMMON_MODULES = case case_fields case_expected number random json_text row progress resume path_file \
                  exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation \
                  exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter \
-                 exact_answer truth_compare known_solutions \
+                 exact_answer exact_apart truth_compare known_solutions \
                  referee referee_truth referee_place referee_pair referee_krawczyk referee_cells \
                  statistics noise regression order_estimate close_up cost_law \
                  region_case region_random
 REAL_MODULES   = real_text problem case_set algorithms_named guard external solve_options \
-                 judge judge_points judge_groups judge_curves judge_overlaps answer answer_table \
+                 judge judge_points judge_strict decide judge_groups judge_curves judge_overlaps answer answer_table \
                  check_options check_case check_table check_estimate check_worker \
                  clock instructions time_worker contestant compare_builds compare_files timing batch_set \
                  timing_work timing_rows time_family time_options \
@@ -51,7 +51,7 @@ PROGRAMS_ONCE = generate truth
 PROGRAMS_WATCHED = trace order cost lemma
 GENERATE_MODULES = draft draft_facts draft_contact family family_parts family_local family_write family_random \
                    family_crossing family_scale family_many family_contact family_degenerate family_overlap \
-                   family_circle outline glyphs
+                   family_circle family_adverse outline glyphs
 
 LIBS_double = -llapacke -llapack -lblas
 LIBS_quad   = -lquadmath

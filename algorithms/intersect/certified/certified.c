@@ -6,8 +6,9 @@
  * - all directions cross all others the same way: at most one solution, decided, found and proved by Newton's
  * method on the extended pair (cone.c, solve_one.c, ends.c);
  * - strips along the chords apart: nothing; arcs side by side that turn differently: none, two, or a contact
- * (graphs.c, contact.c); a derivative of the gap of one sign: at most so many (cluster.c);
- * - a shared arc (overlap.c).
+ * (graphs.c, contact.c); a derivative of the gap of one sign: at most so many (cluster.c); a cusp at a
+ * cusp: at most so many (cusps.c);
+ * - a shared arc (overlap.c); a curve that is one point (point.c).
  *
  * Where rounding hides what is there, the place is cut again with twice the digits (zoom.c).  What is still
  * open when both parameters are as narrow as asked is a CANDIDATE.  Every pair that leaves the stack is
@@ -71,7 +72,7 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->level_numbers = at;
     z->levels = z->pairs = z->solved = 0;
     z->next_look = w->steps + FIRST_LOOK;
-    z->suspicions = 0;
+    z->suspicions = z->looks = 0;
     z->alone = false;
 }
 
@@ -168,14 +169,17 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    const real small = (real)1 / 1024;
+    const real small = (real)1 / 1024, tiny = (real)1 / 256;
     struct graphs h;
     if (!f->wide && !g->wide && strips_apart(v, f, g)) {
         return CLOSED;
     }
     bool last = narrow_t(z, v, f) && narrow_s(z, v, g);
-    if ((at->rest > 0 && !last) || (f->wide && g->wide)) {
+    if (at->rest > 0 && !last) {
         return OPEN;
+    }
+    if (f->wide && g->wide) {
+        return at->level > 0 || (f->hi - f->lo) * (g->hi - g->lo) <= tiny ? cusps_settle(z, at) : OPEN;
     }
     bool graphs = !f->wide && !g->wide && graphs_init(v, f, g, &h);
     if (graphs && (h.apart || overlap_holds(z, at->level, f, g, &h) ||
@@ -216,12 +220,15 @@ static enum verdict settle(struct solver *z, struct pair *at)
     return settle_beside(z, at);
 }
 
-/* Once in a while, where there is too much to do: if there is a shared arc, all begins anew without it. */
+/* Once in a while, where there is too much to do: if there is a shared arc, all begins anew without it.  The
+ * longer it takes, the farther apart the arcs may be: nearly one, they are told as one, with how far, before
+ * the places where they meet fill thousands of records. */
 static void look_for_overlaps(struct solver *z)
 {
     enum { TIMES = 8 };
+    int looser = z->next_look <= FIRST_LOOK ? 0 : z->next_look <= TIMES * FIRST_LOOK ? 7 : 16;
     z->next_look = TIMES * (z->next_look < FIRST_LOOK ? (int)FIRST_LOOK : z->next_look);
-    if (overlap_find(z)) {
+    if (overlap_find(z, looser)) {
         z->out->count = 0;
         z->out->merged = false;
         z->outcome = SOLVED;
@@ -305,6 +312,9 @@ enum outcome certified_search(const struct problem *p, struct workspace *w, stru
         return SOLVED;
     }
     begin_with(&z, rest);
+    if (!z.alone && point_settle(&z)) {
+        return z.outcome;
+    }
     settle_all(&z);
     records_tidy(&z);
     return z.outcome;

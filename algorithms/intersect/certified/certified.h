@@ -103,6 +103,7 @@ struct solver {
     int next_look;  /* steps before overlaps are looked for (again) */
     int suspicions; /* so often a gap was no more than rounding */
     bool alone;     /* shared arcs are not looked for: loops.c */
+    int looks;      /* closer looks at pairs that would be candidates */
 };
 
 /* CLOSED: every solution of the pair is in some record.  OPEN: nothing is known. */
@@ -164,6 +165,8 @@ enum search solve_one(const struct level *v, const struct node *f, const struct 
 /* Settles a pair with cone_gap > 0 and the given zero. */
 enum verdict zero_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                          const struct zero *x);
+/* Of two records that hold one zero each, and are proved to hold the same, the narrower stays. */
+void zeros_unite(struct solver *z);
 /* Looks for a single zero in (x->t +- wt) x (x->s +- ws), local parameters.  ZERO: there is one, at *found,
  * and it has been reported.  NO_ZERO: there is none.  STUCK: nothing is proved.  Smaller rectangles are tried
  * in turn, but all more than twice as large as x's own. */
@@ -179,7 +182,7 @@ bool region_is_solved(const struct solver *z, int level, const struct zero *x);
 /* The same where nothing is proved: OPEN if there is no closer look to be had. */
 enum verdict region_look(struct solver *z, int level, const struct zero *x);
 
-/* From local parameters of a level to the problem's. */
+/* From local parameters of a level to the problem's, rounded outwards. */
 struct interval level_t(const struct level *v, real lo, real hi);
 struct interval level_s(const struct level *v, real lo, real hi);
 /* Does the rectangle lie in a solved one? */
@@ -200,8 +203,14 @@ void level_give_up(struct solver *z);
 
 /* ---- overlap.c ---- */
 
-/* Looks for a shared arc; true: one was added to the records. */
-bool overlap_find(struct solver *z);
+/* Looks for a shared arc: arcs that are apart by rounding, times 2^looser; true: one was added to the
+ * records. */
+bool overlap_find(struct solver *z, int looser);
+
+/* ---- point.c ---- */
+
+/* If one of the curves is a point, settles all; else false. */
+bool point_settle(struct solver *z);
 
 /* ---- stack.c ---- */
 

@@ -22,17 +22,15 @@ void records_tidy(struct solver *z)
 {
     struct crossing *at = z->out->at;
     for (int i = 0; i < z->out->count; i++) {
-        for (int k = 0; at[i].standing == CLUSTER && k < z->out->count;) {
+        for (int k = 0; at[i].standing == CLUSTER && k < z->out->count; k++) {
             if (k != i && is_idle(&at[k], &at[i])) {
-                int last = --z->out->count;
-                at[k] = at[last];
-                i = i == last ? k : i;
-                k = 0;
-            } else {
-                k++;
+                at[k] = at[--z->out->count];
+                i = k = -1; /* what has moved may hold others: again from the beginning */
+                break;
             }
         }
     }
+    zeros_unite(z);
 }
 
 static void record_pair(struct solver *z, const struct pair *at)
@@ -139,13 +137,24 @@ enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct z
     return CLOSED;
 }
 
+/* What is as narrow as asked and still open gets a closer look, so often. */
+static bool look_before(struct solver *z, const struct pair *at)
+{
+    enum { LOOKS = 32 };
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    struct zero x = {(f->lo + f->hi) / 2, (g->lo + g->hi) / 2, (f->hi - f->lo) / 2, (g->hi - g->lo) / 2};
+    return at->level == 0 && z->looks++ < LOOKS && region_look(z, 0, &x) == CLOSED;
+}
+
 void pair_split(struct solver *z, const struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     bool done_f = narrow_t(z, v, f) || is_speck(&v->f, f), done_g = narrow_s(z, v, g) || is_speck(&v->g, g);
     if (done_f && done_g) {
-        pair_accept(z, at);
+        if (!look_before(z, at)) {
+            pair_accept(z, at);
+        }
         return;
     }
     bool of_f = f->bend != g->bend ? f->bend > g->bend : extent(f) >= extent(g);
