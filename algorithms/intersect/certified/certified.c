@@ -72,7 +72,7 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->level_numbers = at;
     z->levels = z->pairs = z->solved = 0;
     z->next_look = w->steps + FIRST_LOOK;
-    z->suspicions = z->looks = 0;
+    z->suspicions = z->looks = z->overlap_looks = 0;
     z->alone = false;
 }
 
@@ -226,8 +226,9 @@ static enum verdict settle(struct solver *z, struct pair *at)
 static void look_for_overlaps(struct solver *z)
 {
     enum { TIMES = 8 };
-    int looser = z->next_look <= FIRST_LOOK ? 0 : z->next_look <= TIMES * FIRST_LOOK ? 7 : 16;
-    z->next_look = TIMES * (z->next_look < FIRST_LOOK ? (int)FIRST_LOOK : z->next_look);
+    int looser = z->overlap_looks == 0 ? 0 : z->overlap_looks == 1 ? 7 : 16;
+    z->overlap_looks++;
+    z->next_look = (int)TIMES * (z->next_look < (int)FIRST_LOOK ? (int)FIRST_LOOK : z->next_look);
     if (overlap_find(z, looser)) {
         z->out->count = 0;
         z->out->merged = false;

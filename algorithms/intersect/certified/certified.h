@@ -100,7 +100,8 @@ struct solver {
     struct pair *pair;
     struct rectangle solved_at[SOLVED_MAX];
     int root_f, root_g;
-    int next_look;  /* steps before overlaps are looked for (again) */
+    int next_look; /* steps before overlaps are looked for (again) */
+    int overlap_looks;
     int suspicions; /* so often a gap was no more than rounding */
     bool alone;     /* shared arcs are not looked for: loops.c */
     int looks;      /* closer looks at pairs that would be candidates */
