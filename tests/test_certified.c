@@ -240,7 +240,7 @@ static void test_near_tangent(void **state)
     (void)state;
     struct count n = solve_family("near_tangent", "2,3", 92, loose());
     assert_true(n.unique == n.solutions && !n.cluster && !n.candidate && n.solved == n.cases);
-    assert_true(n.most_steps <= 200 && n.steps <= 24 * n.cases);
+    assert_true(n.most_steps <= 200 && n.steps <= 32 * n.cases);
     static const char *const family[] = {"tangent_same", "tangent_opposite", "smooth_join",
                                          "endpoint_tangent"};
     for (int i = 0; i < 4; i++) {
