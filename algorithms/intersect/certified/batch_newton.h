@@ -153,9 +153,11 @@ LANES_INLINE void spot_at(const struct side *a, wide t, struct spot *out, wide *
     *past = wide_abs(beyond);
 }
 
+/* The pad covers the rounding of t -+ radius where these are near the node. */
 LANES_INLINE wide_mask beyond(const struct side *a, wide t, wide radius)
 {
-    return wide_less(a->hi, t - radius) | wide_less(t + radius, a->lo);
+    wide reach = radius + DBL_EPSILON;
+    return wide_less(a->hi, t - reach) | wide_less(t + reach, a->lo);
 }
 
 /* Takes a step in the lanes of *active that have not ended.  *active loses those without a zero in their
