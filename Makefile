@@ -21,25 +21,37 @@ PRECISIONS = double quad multi
 
 # ---- what is built from what ---------------------------------------------------------------------------------
 
-COMMON_MODULES = case case_fields case_expected number random row exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter exact_answer json_text truth_compare referee referee_truth referee_place referee_pair referee_krawczyk referee_cells region_case $(COMMON_EXTRA)
-REAL_MODULES   = real_text problem answer judge judge_points guard judge_groups judge_curves judge_overlaps check_options check_case check_table check_estimate check_worker algorithms_named external solve_options answer_table clock case_set instructions time_worker contestant compare_builds compare_files timing timing_work timing_rows time_family time_options \
+COMMON_MODULES = case case_fields case_expected number random json_text row progress resume path_file \
+                 exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation \
+                 exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter \
+                 exact_answer exact_apart truth_compare known_solutions \
+                 referee referee_truth referee_place referee_pair referee_krawczyk referee_cells \
+                 statistics noise regression order_estimate close_up cost_law \
+                 region_case region_random
+REAL_MODULES   = real_text problem case_set algorithms_named guard external solve_options \
+                 judge judge_points judge_strict decide judge_groups judge_curves judge_overlaps answer answer_table \
+                 check_options check_case check_table check_estimate check_worker \
+                 clock instructions time_worker contestant compare_builds compare_files timing batch_set \
+                 timing_work timing_rows time_family time_options \
                  planted_roots measuring path order_measure lemma_reduction lemma_cut \
-                 region_problem region_answer region_check region_check_expected region_check_sample region_sample region_options
-COMMON_EXTRA   = progress statistics resume noise regression order_estimate known_solutions close_up cost_law
+                 region_problem region_answer region_check region_check_expected region_check_sample \
+                 region_check_agree region_sample region_options region_time \
+                 path_set path_random path_svg path_arc path_read path_job path_rows path_options path_boxes \
+                 path_timing
 
-ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c algorithms/intersect/*/*.c algorithms/curvature/*.c)
+ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c algorithms/intersect/*/*.c algorithms/curvature/*.c algorithms/paths/*.c)
 ALGORITHMS_double := $(ALGORITHMS) $(wildcard algorithms/peers/*.c)
 ALGORITHMS_quad  := $(ALGORITHMS)
 ALGORITHMS_multi := $(ALGORITHMS)
 
 # Programs that work with reals are built for each precision; the others once, in build/double.
-PROGRAMS_REAL = list solve check time repeat doctor compare passes roots region
+PROGRAMS_REAL = list solve check time repeat doctor compare passes roots region paths
 PROGRAMS_ONCE = generate truth
 # These watch the algorithms at work.
 PROGRAMS_WATCHED = trace order cost lemma
 GENERATE_MODULES = draft draft_facts draft_contact family family_parts family_local family_write family_random \
                    family_crossing family_scale family_many family_contact family_degenerate family_overlap \
-                   family_circle outline glyphs
+                   family_circle family_adverse outline glyphs
 
 LIBS_double = -llapacke -llapack -lblas
 LIBS_quad   = -lquadmath
@@ -124,7 +136,7 @@ define test_rules
 build/$(1)/tests/test_%: build/$(1)/tests/test_%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
 # Cases to be judged by exact algebra come from the generator.
-build/$(1)/tests/test_certified: | build/double/fatline-generate
+build/$(1)/tests/test_certified build/$(1)/tests/test_batch: | build/double/fatline-generate
 # The watched algorithms against the others, whose answers a program of its own prints.
 build/$(1)/tests/answers: build/$(1)/tests/answers.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)

@@ -41,6 +41,16 @@ struct known {
     real t, s;
 };
 
+/* What a front leaves to `intersect`: every solution lies in a record or in one of these rectangles, t and s
+ * of the prepared problem. */
+enum { REST_MAX = 32 };
+struct rest {
+    int count;
+    struct {
+        struct interval t, s;
+    } at[REST_MAX];
+};
+
 /* Where does f(t) = g(s)? */
 struct problem {
     struct curve f, g;
@@ -51,6 +61,9 @@ struct problem {
     int known_count;
     bool swapped;    /* of the prepared problem: f and g are exchanged */
     bool keep_order; /* the curves are not exchanged: for who measures single steps */
+    /* Of the prepared problem: what the intersector's front left, in the same order of the curves, beside the
+     * records that are there already; NULL: nothing has been done. */
+    const struct rest *rest;
 };
 
 /* CANDIDATE: could not be excluded.  UNIQUE: holds exactly one solution, proved.
@@ -133,6 +146,11 @@ struct order {
 
 struct foreign; /* peers/foreign.h */
 
+/* FRONT_REFUSED: nothing has been done.  FRONT_DONE: the records are the answer, as problem_solve gives it.
+ * FRONT_LEFT: `rest` holds what is open; records are those of the prepared problem, in its order of the
+ * curves. */
+enum front_answer { FRONT_REFUSED, FRONT_DONE, FRONT_LEFT };
+
 struct intersector {
     const char *name;      /* as typed and as tabulated */
     const char *summary;   /* one line for `fatline list` */
@@ -144,6 +162,9 @@ struct intersector {
     bool points_only; /* answers are points with a guessed width, without a proof that none is missing */
     bool allocates;   /* in a call: allowed in peers/ only */
     const struct foreign *foreign; /* other people's code; NULL: ours */
+    /* Tries the problem as the caller gave it, before it is validated and copied; NULL: there is none. */
+    enum front_answer (*front)(const struct problem *p, struct workspace *w, struct crossings *out,
+                               struct rest *rest);
 };
 
 /* The registry: NULL-terminated, in the order of list.h.  peers[] are other people's algorithms, those that

@@ -99,6 +99,9 @@ void crossings_sort(struct crossings *out)
     }
     for (; gap > 0; gap /= 3) {
         for (int i = gap; i < out->count; i++) {
+            if (!precedes(&out->at[i], &out->at[i - gap])) {
+                continue;
+            }
             struct crossing c = out->at[i];
             int j = i;
             for (; j >= gap && precedes(&c, &out->at[j - gap]); j -= gap) {

@@ -22,6 +22,7 @@ INTERSECTOR(implicitization_quadratic)
 INTERSECTOR(implicitization_cubic)
 INTERSECTOR(certified)
 #if !defined(FATLINE_QUAD) && !defined(FATLINE_MULTI)
+INTERSECTOR(certified_scalar)
 INTERSECTOR(resultant_eigen)
 #endif
 

@@ -183,43 +183,65 @@ static void scale_both(const struct problem *p, int e, bool swapped, struct work
     curve_scale(second, e, curve_scale(first, e, w->prepared, &q->f), &q->g);
 }
 
-enum outcome problem_solve(const struct problem *p, const struct intersector *a, struct workspace *w,
-                           struct crossings *out)
+/* The prepared problem q, in w's memory; true: the curves are exchanged. */
+static bool prepare(const struct problem *p, real extent, int e, struct workspace *w, struct problem *q)
 {
-    out->count = out->overlaps = 0;
-    out->merged = false;
-    w->used = w->steps = 0;
+    const struct interval whole = {0, 1};
+    bool swapped = !p->keep_order && curve_compare(&p->f, &p->g) > 0;
+    *q = *p;
+    scale_both(p, e, swapped, w, q);
+    if (!p->keep_order && p->f.w && p->g.w &&
+        curve_compare(&q->f, &q->g) > 0) { /* the scaled weights decide */
+        swapped = !swapped;
+        scale_both(p, e, swapped, w, q);
+    }
+    w->swapped = swapped;
+    q->swapped = swapped;
+    const struct interval first = q->f.domain, second = q->g.domain;
+    q->f.domain = q->g.domain = whole;
+    q->bounds.scale = extent * real_ldexp(1, e);
+    q->bounds.f = cell_error(&q->f, q->bounds.scale);
+    q->bounds.g = cell_error(&q->g, q->bounds.scale);
+    q->bounds.tolerance_t = local_tolerance(p->tolerance, &first);
+    q->bounds.tolerance_s = local_tolerance(p->tolerance, &second);
+    return swapped;
+}
+
+/* Not in line: what a front settles is not to pay for it. */
+__attribute__((noinline)) static enum outcome solve_prepared(const struct problem *p, const struct rest *rest,
+                                                             const struct intersector *a, struct workspace *w,
+                                                             struct crossings *out)
+{
     real extent = 0;
     if (!(p->tolerance > 0) || !real_is_finite(p->tolerance) || p->max_steps <= 0 ||
         !curve_measure(&p->f, &extent) || !curve_measure(&p->g, &extent)) {
         return INVALID;
     }
     const int e = scale_exponent(extent);
-    const real factor = real_ldexp(1, e);
-    const struct interval whole = {0, 1};
-    struct problem q = *p;
-    bool swapped = !p->keep_order && curve_compare(&p->f, &p->g) > 0;
-    scale_both(p, e, swapped, w, &q);
-    if (!p->keep_order && p->f.w && p->g.w && curve_compare(&q.f, &q.g) > 0) { /* the scaled weights decide */
-        swapped = !swapped;
-        scale_both(p, e, swapped, w, &q);
-    }
-    w->swapped = swapped;
-    q.swapped = swapped;
-    const struct interval first = q.f.domain, second = q.g.domain;
-    q.f.domain = q.g.domain = whole;
-    q.bounds.scale = extent * factor;
-    q.bounds.f = cell_error(&q.f, q.bounds.scale);
-    q.bounds.g = cell_error(&q.g, q.bounds.scale);
-    q.bounds.tolerance_t = local_tolerance(p->tolerance, &first);
-    q.bounds.tolerance_s = local_tolerance(p->tolerance, &second);
+    struct problem q;
+    bool swapped = prepare(p, extent, e, w, &q);
+    q.rest = rest;
     w->planned = w->plan == a && w->plan_n == q.f.degree && w->plan_m == q.g.degree;
     w->plan = a;
     w->plan_n = q.f.degree;
     w->plan_m = q.g.degree;
     enum outcome outcome = a->intersect(&q, w, out);
-    translate_back(p, swapped, factor, out);
+    translate_back(p, swapped, real_ldexp(1, e), out);
     return outcome == SOLVED && out->merged ? OUT_OF_ROOM : outcome;
+}
+
+enum outcome problem_solve(const struct problem *p, const struct intersector *a, struct workspace *w,
+                           struct crossings *out)
+{
+    struct rest rest;
+    out->count = out->overlaps = 0;
+    out->merged = false;
+    w->used = w->steps = 0;
+    enum front_answer front = a->front ? a->front(p, w, out, &rest) : FRONT_REFUSED;
+    if (front == FRONT_DONE) {
+        return SOLVED;
+    }
+    return solve_prepared(p, front == FRONT_LEFT ? &rest : NULL, a, w, out);
 }
 
 const char *outcome_name(enum outcome o)

@@ -81,7 +81,8 @@ struct region_edge {
 
 struct region {
     enum region_kind kind, closed_kind;
-    bool strict;    /* false: at an end of the interval F' and F'' are parallel for every d */
+    bool strict; /* false: at an end of the interval, or (then kind is REGION_EMPTY) inside it, det(F', F'') is 0
+                    for every d, or the curve stands still */
     bool certified; /* region_solve says what that means */
     int count;
     real area;                /* of a bounded region */

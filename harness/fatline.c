@@ -21,6 +21,7 @@ static const struct command {
     {"order", "measure orders of convergence", false},
     {"lemma", "measure the exponents and constants behind hybrid clipping", false},
     {"cost", "measure how steps grow as the tolerance falls", false},
+    {"paths", "where paths of many curves cross each other, or themselves", false},
     {"region", "where a control point may go without changing the sign of curvature", false},
     {"doctor", "the same code against itself: how small a difference means something here", false},
     {"compare", "two builds, or the rows of two runs: is anything slower?", false},

@@ -10,7 +10,10 @@
 #include "regions/region_check.h"
 #include "regions/region_options.h"
 #include "regions/region_problem.h"
+#include "regions/region_random.h"
+#include "regions/region_time.h"
 #include "run/row.h"
+#include "timing/clock.h"
 
 enum { OK = 0, WRONG = 1, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
 
@@ -20,6 +23,7 @@ struct program {
     struct region *region;
     struct region_breaks *breaks;
     struct region_checker checker;
+    long repeated;
 };
 
 static volatile sig_atomic_t interrupted;
@@ -30,20 +34,94 @@ static void interrupt(int signal_number)
     interrupted = 1;
 }
 
+static int count_arcs(const struct region *r)
+{
+    int arcs = 0;
+    for (int i = 0; i < r->count; i++)
+        arcs += r->edge[i].type == EDGE_ARC;
+    return arcs;
+}
+
+static int count_spans(const struct region_problem *p)
+{
+    int spans = 0;
+    for (int k = p->family.degree; k < p->family.count; k++)
+        spans +=
+            real_max(p->family.knots[k], p->interval.lo) < real_min(p->family.knots[k + 1], p->interval.hi);
+    return spans;
+}
+
+static void write_time(struct program *p, const char *id, const struct region_problem *problem,
+                       const struct region_method *method)
+{
+    double ns = region_time(problem, method, &p->workspace.workspace, p->region);
+    row_write(stdout,
+              json_pack("{s:s, s:s, s:s, s:i, s:b, s:i, s:s, s:i, s:i, s:b, s:f}", "id", id, "method",
+                        method->name, "precision", REAL_NAME, "degree", problem->family.degree, "rational",
+                        (int)(problem->family.weight != NULL), "spans", count_spans(problem), "kind",
+                        region_kind_name(p->region->kind), "edges", p->region->count, "arcs",
+                        count_arcs(p->region), "certified", (int)p->region->certified, "ns", ns));
+}
+
+/* With a point, its side is all that is repeated. */
+static void repeat(struct program *p, const struct region_problem *problem,
+                   const struct region_method *method)
+{
+    struct region_workspace *w = &p->workspace.workspace;
+    if (p->options.at_given)
+        region_prepare(problem, w);
+    for (long i = 0; i < p->options.repeat; i++) {
+        if (p->options.at_given)
+            region_contains(problem, w, p->options.at, 0);
+        else
+            region_solve(problem, method, w, p->region);
+        clock_keep(p->region);
+    }
+    p->repeated++;
+}
+
+static void ask_about_point(struct program *p, const struct region_problem *problem, struct region_answer *a)
+{
+    struct region_workspace *w = &p->workspace.workspace;
+    a->at_given = true;
+    a->at = p->options.at;
+    a->side = region_contains(problem, w, a->at, 0);
+    a->distance = region_distance(problem, w, p->region, a->at);
+    a->nearest = region_nearest(problem, w, p->region, a->at);
+}
+
 static void answer(struct program *p, const char *id, const struct region_problem *problem,
                    const struct region_method *method, const struct region_case *c)
 {
     struct region_workspace *w = &p->workspace.workspace;
-    struct region_answer a = {
-        id, method, region_solve(problem, method, w, p->region), problem->sign, 0, p->region, NULL};
+    struct region_answer a;
+    memset((void *)&a, 0, sizeof a);
+    a.id = id;
+    a.method = method;
+    a.outcome = region_solve(problem, method, w, p->region);
+    a.sign = problem->sign;
+    a.region = p->region;
     a.steps = w->steps;
     if (p->options.check) {
         region_check(&p->checker, c, problem, w, &a);
         return;
     }
-    if (region_breaks_find(problem, w, p->breaks) == SOLVED)
+    if (a.outcome == SOLVED && p->options.at_given)
+        ask_about_point(p, problem, &a);
+    if (a.outcome == SOLVED && region_breaks_find(problem, w, p->breaks) == SOLVED)
         a.breaks = p->breaks;
     region_answer_write(stdout, &a);
+}
+
+static void serve(struct program *p, const char *id, const struct region_problem *problem,
+                  const struct region_method *method, const struct region_case *c)
+{
+    if (p->options.time)
+        write_time(p, id, problem, method);
+    else if (p->options.repeat)
+        repeat(p, problem, method);
+    else
+        answer(p, id, problem, method, c);
 }
 
 /* All methods on one handle of the case's curve: its own, or control point free_point. */
@@ -59,8 +137,10 @@ static int solve_handle(struct program *p, const struct region_case *c, int free
     owned_workspace_fit(&p->workspace, &owned.problem);
     if (free_point >= 0)
         snprintf(id, sizeof id, "%.250s#%d", c->id, free_point);
-    for (int i = 0; i < p->options.count; i++)
-        answer(p, free_point >= 0 ? id : c->id, &owned.problem, p->options.method[i], c);
+    for (int i = 0; i < p->options.count && !interrupted;
+         i++) /* what is expected belongs to the case's own handle */
+        serve(p, free_point >= 0 ? id : c->id, &owned.problem, p->options.method[i],
+              free_point >= 0 ? NULL : c);
     owned_region_clear(&owned);
     return OK;
 }
@@ -110,9 +190,22 @@ static int solve_file(struct program *p, const char *path)
     return worst;
 }
 
+static void write_random(const struct region_options *o)
+{
+    char line[REGION_LINE_MAX];
+    for (long i = 0; i < o->random && !interrupted; i++) {
+        region_random_line((uint64_t)o->seed, o->degree_lo, o->degree_hi, (uint64_t)i, line);
+        puts(line);
+    }
+}
+
 static int solve_all(struct program *p)
 {
     int worst = OK;
+    if (p->options.random) {
+        write_random(&p->options);
+        return OK;
+    }
     if (p->options.file_count == 0)
         return solve_file(p, "-");
     for (int i = 0; i < p->options.file_count && !interrupted; i++) {
@@ -129,6 +222,7 @@ const char *argp_program_version = "fatline 0.1";
 int main(int argc, char **argv)
 {
     static struct program p;
+    static struct region exact;
     struct sigaction action;
     region_options_read(argc, argv, &p.options);
     p.region = (struct region *)malloc(sizeof *p.region);
@@ -143,11 +237,15 @@ int main(int argc, char **argv)
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     p.checker.rows = p.options.rows;
-    if (p.options.check && p.options.rows)
+    if (p.options.check && p.options.count > 1 && p.options.method[0] == region_methods[0])
+        p.checker.exact = &exact;
+    if ((p.options.check && p.options.rows) || p.options.time)
         row_write(stdout, row_environment(argc, argv, REAL_NAME));
     int status = solve_all(&p);
     if (p.options.check && !p.options.rows)
         region_check_summary(&p.checker, stdout);
+    if (p.options.repeat)
+        printf("{\"regions\":%ld,\"passes\":%ld}\n", p.repeated, p.options.repeat);
     bool lost = fflush(stdout) || ferror(stdout);
     if (lost)
         fprintf(stderr, "fatline region: standard output cannot be written\n");

@@ -18,6 +18,7 @@
 #include "run/guard.h"
 #include "run/progress.h"
 #include "run/solve_options.h"
+#include "truth/decide.h"
 
 enum { OK = 0, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
 
@@ -51,10 +52,15 @@ static void watch_signals(void)
     sigaction(SIGTERM, &action, NULL);
 }
 
+/* decided: whether it is, with --decide; else not there. */
 static void write_answer(struct solver *s, const struct answer *a, const struct problem *p,
-                         const char *message)
+                         const char *message, json_t *decided)
 {
-    json_t *extra = message ? json_pack("{s:s}", "message", message) : NULL;
+    json_t *extra = json_object();
+    if (decided)
+        json_object_set_new(extra, "decided", decided);
+    if (message)
+        json_object_set_new(extra, "message", json_string(message));
     if (s->human)
         answer_table_write(s->out, a, p, message);
     else
@@ -83,7 +89,9 @@ static void solve_by(struct solver *s, const struct test_case *c, const struct p
     fit_workspace(s, p->f.degree, p->g.degree);
     a.outcome = guard_solve(p, algorithm, &s->workspace, s->crossings);
     a.steps = s->workspace.steps;
-    write_answer(s, &a, p, NULL);
+    double seconds = s->options->decide;
+    const char *why_not = seconds > 0 ? decide(c, p, seconds, &a.outcome, s->crossings) : NULL;
+    write_answer(s, &a, p, why_not, seconds > 0 ? json_boolean(!why_not) : NULL);
 }
 
 static void solve_outside(struct solver *s, const struct test_case *c, const struct problem *p)
@@ -95,7 +103,7 @@ static void solve_outside(struct solver *s, const struct test_case *c, const str
     if (message && !interrupted)
         progress_note("%s: %s", c->id, message);
     if (!interrupted)
-        write_answer(s, &a, p, message);
+        write_answer(s, &a, p, message, NULL);
 }
 
 /* All algorithms on one case. */

@@ -25,6 +25,7 @@ MAY_INCLUDE = {
     "intersect": ("core/", "bezier.h", "crossings.h"),
     "curvature": ("core/", "curvature/", "bezier.h", "region.h", "list.h"),
     "library": ("core/", "library/", "bezier.h", "region.h", "fatline.h"),
+    "paths": ("core/", "paths/", "bezier.h", "path.h"),
     "": ("core/", "bezier.h", "region.h", "list.h", "crossings.h"),
 }
 # The loop of the cell algorithms belongs to core/ though it speaks of problems and crossings.

@@ -38,39 +38,42 @@ static void power_derivative(int n, const real *a, real *out)
     }
 }
 
-/* Integral over [0, 1] of numerator / denominator, of degree n both, by their power series; |coefficients of
- * the denominator| fall so fast that the terms do. */
+/* Integral over [-1, 1] of numerator / denominator, of degree n both, by their power series; the terms fall
+ * because |coefficients of the denominator| do. */
 static real integrate_series(int n, const real *numerator, const real *denominator, real tolerance)
 {
-    real ring[RING], sum = 0;
+    real ring[RING], sum = 0, first = 1 / denominator[0];
     int small = 0;
     for (int i = 0; i < 8 * REAL_BITS && small <= n; i++) {
         real g = i <= n ? numerator[i] : (real)0;
         for (int j = 1; j <= n && j <= i; j++) {
             g -= denominator[j] * ring[(i - j) % RING];
         }
-        g = g / denominator[0];
+        g = g * first;
         ring[i % RING] = g;
-        sum += g / (i + 1);
+        sum += i % 2 == 0 ? 2 * g / (i + 1) : (real)0;
         small = real_abs(g) <= tolerance * real_abs(sum) ? small + 1 : 0;
     }
     return sum;
 }
 
-/* (X Y' - Y X') / Z^2 over one panel; false: Z changes too much over it for the series. */
+/* (X Y' - Y X') / Z^2 over one panel, by powers of the distance from its middle; false: Z changes too much
+ * over it for the series. */
 static bool integrate_panel(int e, const real *w, real tolerance, real *integral)
 {
+    real left[3 * (DEGREE_MAX + 1)], right[3 * (DEGREE_MAX + 1)];
     real x[DEGREE_MAX + 1], y[DEGREE_MAX + 1], z[DEGREE_MAX + 1], dx[DEGREE_MAX + 1], dy[DEGREE_MAX + 1];
     real numerator[2 * DEGREE_MAX + 1], denominator[2 * DEGREE_MAX + 1], rest = 0;
-    to_powers(e, w + 2 * (e + 1), z);
+    bernstein_halve(e, 3, w, left, right);
+    to_powers(e, right + 2 * (e + 1), z);
     for (int i = 1; i <= e; i++) {
         rest += real_abs(z[i]);
     }
-    if (2 * rest > real_abs(z[0])) {
+    if (4 * rest > 3 * real_abs(z[0])) {
         return false;
     }
-    to_powers(e, w, x);
-    to_powers(e, w + e + 1, y);
+    to_powers(e, right, x);
+    to_powers(e, right + e + 1, y);
     power_derivative(e, x, dx);
     power_derivative(e, y, dy);
     form_clear(2 * e, numerator);
@@ -168,19 +171,69 @@ int envelope_feet(struct region_work *k, const struct region_edge *edge, const s
     return feet < 0 ? 0 : feet;
 }
 
-real envelope_distance(struct region_work *k, const struct region_edge *edge, const struct envelope *a,
-                       struct point d, real *t)
+/* Step of Newton's method for (x w3 - w1) B - (y w3 - w2) A = 0: the way from the arc to d is along the
+ * normal. */
+static real foot_step(const struct region_work *k, const struct region_edge *edge, struct point d, real t)
 {
-    real foot[FORM_MAX], line[3], least = 0;
-    int feet = envelope_feet(k, edge, a, d, foot);
-    for (int i = -2; i < feet; i++) {
-        real at = i == -2 ? edge->t : i == -1 ? edge->t1 : foot[i];
-        envelope_tangent(k, edge, at, line);
-        real distance = line[0] * d.x + line[1] * d.y + line[2];
-        if (i == -2 || distance < least) {
-            least = distance;
-            *t = at;
+    const struct span_forms *f = &k->span[edge->span].form;
+    real w[3], dw[3], n[2], dn[2];
+    form_values_slopes(f->e, 3, k->pascal, f->w, t, w, dw);
+    form_values_slopes(f->l, 2, k->pascal, f->L, t, n, dn);
+    real x = d.x * w[2] - w[0], y = d.y * w[2] - w[1], dx = d.x * dw[2] - dw[0], dy = d.y * dw[2] - dw[1];
+    real slope = dx * n[1] + x * dn[1] - dy * n[0] - y * dn[0];
+    return slope != 0 ? (x * n[1] - y * n[0]) / slope : (real)0;
+}
+
+/* Moves to `to` if the tangent there is nearer to d. */
+static bool try_tangent(const struct region_work *k, const struct region_edge *edge, struct point d, real to,
+                        real *t, real *line)
+{
+    real next[3], at = real_min(real_max(edge->t, edge->t1), real_max(real_min(edge->t, edge->t1), to));
+    envelope_tangent(k, edge, at, next);
+    if (!((next[0] - line[0]) * d.x + (next[1] - line[1]) * d.y + (next[2] - line[2]) < 0)) {
+        return false;
+    }
+    *t = at;
+    for (int j = 0; j < 3; j++) {
+        line[j] = next[j];
+    }
+    return true;
+}
+
+void envelope_touch(const struct region_work *k, const struct region_edge *edge, struct point d, real reach,
+                    real *t, real *line)
+{
+    enum { STEPS = 4, HALVINGS = 3 };
+    int halvings = 0;
+    for (int i = 0; i < STEPS; i++) {
+        if (try_tangent(k, edge, d, *t - foot_step(k, edge, d, *t), t, line)) {
+            halvings = HALVINGS;
+        } else if (halvings++ >= HALVINGS) {
+            return;
+        } else if (!try_tangent(k, edge, d, *t + reach / 2, t, line) &&
+                   !try_tangent(k, edge, d, *t - reach / 2, t, line)) {
+            reach = reach / 4;
         }
     }
-    return least;
+}
+
+real envelope_opposite(const struct region_work *k, const struct region_edge *edge, const real *line, real a,
+                       real b)
+{
+    enum { STEPS = 8 };
+    const struct span_forms *f = &k->span[edge->span].form;
+    real n[2], dn[2], t = a + (b - a) / 2, lo = real_min(a, b), hi = real_max(a, b);
+    for (int i = 0; i < STEPS; i++) {
+        form_values_slopes(f->l, 2, k->pascal, f->L, t, n, dn);
+        real slope = dn[0] * line[1] - dn[1] * line[0];
+        real step = slope != 0 ? (n[0] * line[1] - n[1] * line[0]) / slope : (real)0, next = t - step;
+        if (!(next > lo && next < hi)) {
+            return a + (b - a) / 2;
+        }
+        t = next;
+        if (real_abs(step) <= 4 * REAL_EPSILON) {
+            break;
+        }
+    }
+    return t;
 }

@@ -12,7 +12,7 @@ bool vertex_is_infinite(const real *v, real error);
 bool boundary_of_cone(const struct cone *c, struct region *out);
 
 /* Of a region in normalised coordinates: area and largest disc if it is bounded. */
-void boundary_measure(struct region_work *k, real tolerance, struct region *r);
+void boundary_measure(const struct region_work *k, real tolerance, struct region *r);
 
 /* To the curve's own coordinates and parameter. */
 void boundary_out(const struct region_work *k, struct region *r);

@@ -5,7 +5,7 @@
 #include "boundary.h"
 #include "enclose.h"
 
-enum { ARCS_MAX = 512, MARKS_MAX = 1024 };
+enum { ARCS_MAX = 128, MARKS_MAX = 512 };
 
 /* Where an arc ends: at the end of its piece, on an edge of the cone, where it crosses another arc. */
 enum mark_kind { MARK_END, MARK_EDGE, MARK_CROSSING };

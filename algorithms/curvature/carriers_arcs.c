@@ -103,8 +103,9 @@ static bool cut_piece(struct region_work *k, int piece, struct carrier_arcs *out
     struct mark mark[CUTS];
     int count = 0;
     real w3;
-    form_values(k->span[p->span].form.e, 1, k->span[p->span].form.w + 2 * (k->span[p->span].form.e + 1),
-                p->lo + (p->hi - p->lo) / 2, &w3);
+    form_values(k->span[p->span].form.e, 1, k->pascal,
+                k->span[p->span].form.w + 2 * (k->span[p->span].form.e + 1), p->lo + (p->hi - p->lo) / 2,
+                &w3);
     add_mark(mark, &count, p->lo, MARK_END, -1);
     for (int i = 0; i < k->cone.count; i++) {
         if (!never_cuts(k, &k->cone.edge[i].plane, p) &&
@@ -161,7 +162,7 @@ bool arcs_visible(struct region_work *k, const struct carrier_arcs *arcs,
             struct half_plane worst;
             envelope_at(k, k->piece[a->piece].span, mark[j].t + (mark[j + 1].t - mark[j].t) / 2, v);
             if (mark[j + 1].t - mark[j].t <= 8 * REAL_EPSILON ||
-                planes_hold(k, &k->piece[a->piece], v, 8 * REAL_EPSILON, &worst) == FAILS) {
+                planes_hold(k, &k->piece[a->piece], NULL, v, 8 * REAL_EPSILON, &worst) == FAILS) {
                 continue;
             }
             if (last == j) {

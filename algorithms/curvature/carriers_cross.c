@@ -6,7 +6,7 @@
 
 #include "../core/bernstein.h"
 
-enum { COEFFICIENTS = 3 * (DEGREE_MAX + 1), DEPTH = 40, NEWTON_STEPS = 24 };
+enum { COEFFICIENTS = 3 * (DEGREE_MAX + 1), DEPTH = 40, NEWTON_STEPS = 24, PAIR_STEPS = 4000 };
 
 /* Rows of a rotation whose last one is positive on the cone. */
 struct chart {
@@ -152,13 +152,14 @@ static bool add(struct carrier_crossings *out, int arc, real t)
     return true;
 }
 
+/* A pair that takes too long, for a contact, leaves wide records. */
 static enum outcome solve(struct region_work *k, const struct part *p, const struct part *q, int i, int j,
                           struct carrier_crossings *out)
 {
     struct problem problem = {{p->e, p->c, p->c + p->e + 1, p->c + 2 * (p->e + 1), {0, 1}},
                               {q->e, q->c, q->c + q->e + 1, q->c + 2 * (q->e + 1), {0, 1}},
                               real_ldexp(1, -REAL_BITS / 2),
-                              k->max_steps > k->steps ? k->max_steps - k->steps : 1,
+                              PAIR_STEPS,
                               {0, 0, 0, 0, 0},
                               NULL};
     enum outcome outcome = problem_solve(&problem, k->intersector, k->cells, k->crossings);
@@ -171,7 +172,7 @@ static enum outcome solve(struct region_work *k, const struct part *p, const str
             return OUT_OF_ROOM;
         }
     }
-    return outcome;
+    return k->steps >= k->max_steps ? OUT_OF_STEPS : outcome == OUT_OF_STEPS ? OUT_OF_ROOM : outcome;
 }
 
 /* Two parts still to be halved: their intervals. */
@@ -223,9 +224,9 @@ enum outcome arcs_cross(struct region_work *k, const struct carrier_arcs *arcs, 
             if (pieces_are_near(&k->piece[arcs->at[i].piece], &k->piece[arcs->at[j].piece])) {
                 continue;
             }
-            enum outcome outcome = cross(k, &chart, arcs, i, j, out);
-            if (outcome != SOLVED) {
-                return outcome;
+            /* where room or a pair's steps fail the records are wide, and the certificate decides */
+            if (cross(k, &chart, arcs, i, j, out) == OUT_OF_STEPS) {
+                return OUT_OF_STEPS;
             }
         }
     }

@@ -28,8 +28,8 @@ static void end_of_arc(const struct region_work *k, const struct carrier_arc *a,
 {
     const struct span_forms *f = &k->span[k->piece[a->piece].span].form;
     real w3;
-    form_values(f->e, 3, f->w, t, v);
-    form_values(f->e, 1, f->w + 2 * (f->e + 1), a->from.t + (a->to.t - a->from.t) / 2, &w3);
+    form_values(f->e, 3, k->pascal, f->w, t, v);
+    form_values(f->e, 1, k->pascal, f->w + 2 * (f->e + 1), a->from.t + (a->to.t - a->from.t) / 2, &w3);
     triple_normalise(v);
     for (int i = 0; w3 < 0 && i < 3; i++) {
         v[i] = -v[i];
@@ -120,7 +120,7 @@ static bool add_edge(struct region_work *k, const struct carrier_arcs *visible, 
     for (int i = 0; i + 1 < count; i++) {
         on_edge(last->v, at->v, position[i] + (position[i + 1] - position[i]) / 2, v);
         if (position[i] >= 0 && position[i + 1] <= 1 && position[i + 1] - position[i] > 64 * REAL_EPSILON &&
-            planes_hold(k, NULL, v, 8 * REAL_EPSILON + at->plane.error, &worst) != FAILS) {
+            planes_hold(k, NULL, NULL, v, 8 * REAL_EPSILON + at->plane.error, &worst) != FAILS) {
             lo = real_min(lo, position[i]);
             hi = real_max(hi, position[i + 1]);
         }

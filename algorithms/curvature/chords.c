@@ -7,7 +7,7 @@
 static void oriented_envelope(const struct region_work *k, int span, real t, real *v)
 {
     const struct span_forms *f = &k->span[span].form;
-    form_values(f->e, 3, f->w, t, v);
+    form_values(f->e, 3, k->pascal, f->w, t, v);
     triple_normalise(v);
 }
 

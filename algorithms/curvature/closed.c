@@ -11,7 +11,7 @@ static real thin(void)
 
 static real relaxation(void)
 {
-    return real_ldexp(1, -REAL_BITS * 3 / 4);
+    return real_ldexp(1, -REAL_BITS * 5 / 8);
 }
 
 /* Finite vertices and directions of those that are far. */

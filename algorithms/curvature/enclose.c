@@ -75,7 +75,7 @@ bool enclose_round(struct region_work *k, struct cone *c, real relaxed, real tol
         if (c->count > 1 && i < c->count && (c->edge[i].holds || c->edge[i].fresh)) {
             continue;
         }
-        enum verdict verdict = planes_hold(k, NULL, v, error + relaxed + tolerance, &worst);
+        enum verdict verdict = planes_hold(k, NULL, NULL, v, error + relaxed + tolerance, &worst);
         if (verdict == UNSURE && k->steps >= k->max_steps) {
             *outcome = OUT_OF_STEPS;
             return true;

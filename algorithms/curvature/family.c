@@ -212,6 +212,11 @@ static void finish_span(struct span *s, int sign)
     for (int i = 0; sign < 0 && i < 3 * length; i++) {
         f->L[i] = -f->L[i];
     }
+    s->error = 0;
+    for (int i = 3 * length; i < 4 * length; i++) {
+        s->error = real_max(s->error, f->L[i]);
+    }
+    s->error = s->error * REAL_EPSILON;
 }
 
 static void make_span(const struct region_problem *p, int knot, struct region_work *k, struct span *s)

@@ -55,18 +55,60 @@ void form_clear(int n, real *c)
     }
 }
 
-void form_values(int n, int components, const real *c, real t, real *out)
+/* The n + 1 Bernstein polynomials at t. */
+static void basis(int n, const real *pascal, real t, real *b)
 {
-    real b[LENGTH], u = 1 - t;
-    for (int k = 0; k < components; k++, c += n + 1) {
-        for (int i = 0; i <= n; i++) {
-            b[i] = c[i];
-        }
-        for (int j = n; j > 0; j--) {
-            for (int i = 0; i < j; i++) {
-                b[i] = u * b[i] + t * b[i + 1];
-            }
-        }
-        out[k] = b[0];
+    const real *row = pascal_row(pascal, n);
+    real u = 1 - t, power = 1;
+    for (int i = 0; i <= n; i++) {
+        b[i] = row[i] * power;
+        power = power * t;
     }
+    power = u;
+    for (int i = n - 1; i >= 0; i--) {
+        b[i] = b[i] * power;
+        power = power * u;
+    }
+}
+
+void form_values(int n, int components, const real *pascal, const real *c, real t, real *out)
+{
+    real b[LENGTH];
+    basis(n, pascal, t, b);
+    for (int k = 0; k < components; k++, c += n + 1) {
+        real sum = c[0] * b[0];
+        for (int i = 1; i <= n; i++) {
+            sum += c[i] * b[i];
+        }
+        out[k] = sum;
+    }
+}
+
+void form_values_slopes(int n, int components, const real *pascal, const real *c, real t, real *value,
+                        real *slope)
+{
+    real b[LENGTH];
+    if (n > 0) {
+        basis(n - 1, pascal, t, b);
+    }
+    for (int k = 0; k < components; k++, c += n + 1) {
+        real left = 0, right = 0;
+        for (int i = 0; i < n; i++) {
+            left += c[i] * b[i];
+            right += c[i + 1] * b[i];
+        }
+        value[k] = n > 0 ? (1 - t) * left + t * right : c[0];
+        slope[k] = 0;
+        for (int i = 0; i < n; i++) {
+            slope[k] += (c[i + 1] - c[i]) * b[i];
+        }
+        slope[k] = n * slope[k];
+    }
+}
+
+real form_value_slope(int n, const real *pascal, const real *c, real t, real *slope)
+{
+    real value;
+    form_values_slopes(n, 1, pascal, c, t, &value, slope);
+    return value;
 }

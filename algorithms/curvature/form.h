@@ -25,7 +25,12 @@ void form_add_product(int n, const real *a, int m, const real *b, int factor, re
 
 void form_clear(int n, real *c);
 
-/* Values at t of `components` unscaled forms of degree n, one after the other, by de Casteljau; n <= 96. */
-void form_values(int n, int components, const real *c, real t, real *out);
+/* Values at t in [0, 1] of `components` unscaled forms of degree n <= 96, one after the other, and of their
+ * derivatives, as sums over the Bernstein polynomials; errors at most (4n + 8) REAL_EPSILON |c|(t), of
+ * the derivative n times as much for its own coefficients. */
+void form_values(int n, int components, const real *pascal, const real *c, real t, real *out);
+void form_values_slopes(int n, int components, const real *pascal, const real *c, real t, real *value,
+                        real *slope);
+real form_value_slope(int n, const real *pascal, const real *c, real t, real *slope);
 
 #endif

@@ -56,9 +56,6 @@ int span_cuts(struct region_work *k, const struct span *s, enum cuts cuts, int r
     const struct span_forms *f = &s->form;
     real error[FORM_MAX];
     int count = 0, length = f->l + 1;
-    if (cuts == WHOLE) {
-        return 0;
-    }
     if (f->m > 0) {
         count = add_cuts(k, f->m, f->M, f->M + f->m + 1, BREAK_M, room, count, out);
     }
@@ -88,8 +85,8 @@ static int type_at(const struct region_work *k, const struct span_forms *f, real
     if (f->m < 0 || f->fixed) {
         return 0;
     }
-    form_values(f->e, 1, f->w + 2 * (f->e + 1), t, &w3);
-    form_values(f->m, 1, f->M, t, &M);
+    form_values(f->e, 1, k->pascal, f->w + 2 * (f->e + 1), t, &w3);
+    form_values(f->m, 1, k->pascal, f->M, t, &M);
     return k->sign * sign(w3) * sign(M);
 }
 
@@ -159,7 +156,27 @@ bool joint_is_smooth(const struct region_work *k, int span)
     return is_parallel(v, w);
 }
 
-/* Chains of arcs, and in each the quarters: the tangent turns by pi/2 at most between roots of A and of B. */
+/* An arc that leaves to infinity and comes back from there is not convex. */
+static bool joint_is_finite(const struct region_work *k, int span)
+{
+    real v[3];
+    envelope_at(k, span, 1, v);
+    return v[2] > real_ldexp(1, -REAL_BITS / 2);
+}
+
+/* The quadrant of the normal in the middle of a piece, 0 to 3, counted the way in which normals turn on S+.
+ */
+static int quadrant(const struct region_work *k, const struct piece *p)
+{
+    const struct span_forms *f = &k->span[p->span].form;
+    real normal[2];
+    form_values(f->l, 2, k->pascal, f->L, p->lo + (p->hi - p->lo) / 2, normal);
+    int counter_clockwise = normal[1] >= 0 ? (normal[0] >= 0 ? 0 : 1) : (normal[0] < 0 ? 2 : 3);
+    return k->sign > 0 ? counter_clockwise : 3 - counter_clockwise;
+}
+
+/* Chains of arcs, and in each the quarters: the tangent turns by pi/2 at most between roots of A and of B,
+ * which may lie on a knot, where neither span shows them.  So the quadrants are compared as well. */
 static void number_chains(struct region_work *k, int first, const struct cut *cut)
 {
     for (int i = first; i < k->pieces; i++) {
@@ -168,10 +185,15 @@ static void number_chains(struct region_work *k, int first, const struct cut *cu
         int reasons = i > first ? cut[i - first - 1].reasons : 0;
         bool goes_on = before && before->type > 0 && p->type > 0 && !(reasons & (BREAK_M | BREAK_N));
         if (i == first) {
-            goes_on = goes_on && joint_is_smooth(k, before->span);
+            goes_on = goes_on && joint_is_smooth(k, before->span) && joint_is_finite(k, before->span);
         }
         p->chain = before ? before->chain + !goes_on : 0;
-        p->quarter = goes_on ? before->quarter + ((reasons & (BREAK_A | BREAK_B)) != 0) : 0;
+        p->quarter = 0;
+        if (goes_on) {
+            int turned = (quadrant(k, p) - quadrant(k, before) + 4) % 4;
+            bool cut_here = (reasons & (BREAK_A | BREAK_B)) != 0;
+            p->quarter = before->quarter + (turned > 0 ? turned : cut_here);
+        }
     }
 }
 
@@ -200,6 +222,59 @@ bool pieces_make(struct region_work *k, enum cuts cuts)
     return true;
 }
 
+/* ---- narrow pieces ---- */
+
+/* Coefficients within 60 degrees of their sum, but for those that are noise. */
+static bool is_narrow(const struct piece *p, int l)
+{
+    real sum[3] = {0, 0, 0};
+    for (int i = 0; i <= l; i++) {
+        for (int c = 0; c < 3; c++) {
+            sum[c] += p->L[c * (l + 1) + i];
+        }
+    }
+    triple_normalise(sum);
+    for (int i = 0; i <= l; i++) {
+        const real v[3] = {p->L[i], p->L[l + 1 + i], p->L[2 * (l + 1) + i]};
+        real along = triple_dot(v, sum), noise = 4 * REAL_EPSILON * p->L[3 * (l + 1) + i];
+        if (triple_dot(v, v) > real_max(4 * along * real_max(along, 0), noise * noise)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool pieces_make_narrow(struct region_work *k, bool *all)
+{
+    enum { HALVINGS = 24 };
+    real hi[HALVINGS + 1];
+    k->pieces = 0;
+    k->piece_used = 0;
+    *all = true;
+    for (int span = 0; span < k->spans; span++) {
+        int top = 0, reserve = 2 * (k->spans - span);
+        real lo = 0;
+        hi[0] = 1;
+        while (top >= 0) {
+            size_t used = k->piece_used;
+            if (!add_piece(k, span, lo, hi[top], AT_TORSION)) {
+                return false;
+            }
+            bool narrow = is_narrow(&k->piece[k->pieces - 1], k->span[span].form.l);
+            if (!narrow && top < HALVINGS && k->pieces + top + reserve < k->room_pieces) {
+                k->pieces--;
+                k->piece_used = used;
+                hi[top + 1] = lo + (hi[top] - lo) / 2;
+                top++;
+                continue;
+            }
+            *all = *all && narrow;
+            lo = hi[top--];
+        }
+    }
+    return true;
+}
+
 /* ---- half-planes ---- */
 
 bool half_plane_at(const struct region_work *k, int span, real t, bool corner, struct half_plane *out)
@@ -211,7 +286,7 @@ bool half_plane_at(const struct region_work *k, int span, real t, bool corner, s
             value[c] = f->L[c * (f->l + 1) + (t == 0 ? 0 : f->l)];
         }
     } else {
-        form_values(f->l, 4, f->L, t, value);
+        form_values(f->l, 4, k->pascal, f->L, t, value);
     }
     real length = triple_normalise(value);
     out->source = MEMBER;
@@ -231,7 +306,7 @@ bool half_plane_at(const struct region_work *k, int span, real t, bool corner, s
 void envelope_at(const struct region_work *k, int span, real t, real *v)
 {
     const struct span_forms *f = &k->span[span].form;
-    form_values(f->e, 3, f->w, t, v);
+    form_values(f->e, 3, k->pascal, f->w, t, v);
     triple_normalise(v);
     if (v[2] < 0) {
         for (int c = 0; c < 3; c++) {
@@ -240,28 +315,40 @@ void envelope_at(const struct region_work *k, int span, real t, real *v)
     }
 }
 
-/* Least value of c over [0, 1] near that of its control points, by Newton on the derivative. */
-static real lowest_near(int n, const real *c)
+/* Downhill from t, by Newton's method for a minimum while the value falls. */
+static real descend(int n, const real *pascal, const real *c, real t, real *value)
 {
-    real d[FORM_MAX], scratch[FORM_MAX], slope;
-    int least = 0;
-    for (int i = 1; i <= n; i++) {
-        least = c[i] < c[least] ? i : least;
-    }
-    real t = n > 0 ? (real)least / n : (real)0;
-    if (n < 2 || least == 0 || least == n) {
+    real d[FORM_MAX];
+    form_values(n, 1, pascal, c, t, value);
+    if (n < 2) {
         return t;
     }
     bernstein_derivative(n, c, d);
-    for (int i = 0; i < 4; i++) {
-        real f = bernstein_value_slope(n - 1, d, t, scratch, &slope);
-        if (!(slope > 0)) {
-            break;
+    for (int i = 0; i < 8; i++) {
+        real curvature, at, slope = form_value_slope(n - 1, pascal, d, t, &curvature);
+        real step = curvature > 0 ? -slope / curvature : slope > 0 ? (real)-1 / 8 : (real)1 / 8;
+        real next = real_min(1, real_max(0, t + step));
+        form_values(n, 1, pascal, c, next, &at);
+        if (!(at < *value)) {
+            return t;
         }
-        real next = t - f / slope;
-        t = next < 0 ? (real)0 : next > 1 ? (real)1 : next;
+        *value = at;
+        t = next;
     }
     return t;
+}
+
+/* Where c is least, or nearly: downhill from the least coefficient and from `start`. */
+static real lowest(int n, const real *pascal, const real *c, real start)
+{
+    int least = 0;
+    real value[2];
+    for (int i = 1; i <= n; i++) {
+        least = c[i] < c[least] ? i : least;
+    }
+    real a = descend(n, pascal, c, n > 0 ? (real)least / n : (real)0, &value[0]);
+    real b = descend(n, pascal, c, start, &value[1]);
+    return value[0] < value[1] ? a : b;
 }
 
 static void heights(const struct piece *p, int l, const real *v, real error, real *h, real *bound)
@@ -275,15 +362,12 @@ static void heights(const struct piece *p, int l, const real *v, real error, rea
 
 enum verdict piece_holds(struct region_work *k, const struct piece *p, const real *v, real error, real *where)
 {
-    real h[FORM_MAX], bound[FORM_MAX], t, value[2];
+    real h[FORM_MAX], bound[FORM_MAX], t;
     int l = k->span[p->span].form.l;
     heights(p, l, v, error, h, bound);
     enum verdict verdict = form_holds(k, l, h, bound, &t);
     if (verdict == FAILS) {
-        real other = lowest_near(l, h);
-        form_values(l, 1, h, t, &value[0]);
-        form_values(l, 1, h, other, &value[1]);
-        t = value[1] < value[0] ? other : t;
+        t = lowest(l, k->pascal, h, t);
         *where = t == 0 ? p->lo : t == 1 ? p->hi : p->lo + t * (p->hi - p->lo);
     }
     return verdict;
@@ -295,8 +379,8 @@ static bool is_excepted(const struct piece *p, const struct piece *except)
     return except && p->type > 0 && p->chain == except->chain && turn >= -1 && turn <= 1;
 }
 
-enum verdict planes_hold(struct region_work *k, const struct piece *except, const real *v, real error,
-                         struct half_plane *worst)
+enum verdict planes_hold(struct region_work *k, const struct piece *a, const struct piece *b, const real *v,
+                         real error, struct half_plane *worst)
 {
     enum verdict all = HOLDS;
     real lowest = 0, t;
@@ -305,11 +389,11 @@ enum verdict planes_hold(struct region_work *k, const struct piece *except, cons
         bool is_chord = i >= k->pieces;
         if (is_chord) {
             plane = k->chord[i - k->pieces];
-        } else if (is_excepted(&k->piece[i], except)) {
+        } else if (is_excepted(&k->piece[i], a) || is_excepted(&k->piece[i], b)) {
             continue;
         } else {
             enum verdict one = piece_holds(k, &k->piece[i], v, error, &t);
-            all = one == UNSURE && all == HOLDS ? UNSURE : all;
+            all = one != HOLDS && all == HOLDS ? UNSURE : all;
             if (one != FAILS || !half_plane_at(k, k->piece[i].span, t, false, &plane)) {
                 continue;
             }

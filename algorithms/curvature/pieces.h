@@ -4,12 +4,17 @@
 
 #include "signs.h"
 
-/* WHOLE: the spans as they are.  AT_TORSION: cut where M changes its sign.  AT_ALL: also where w3, A or B
- * does, and with the envelopes' forms and types. */
-enum cuts { WHOLE, AT_TORSION, AT_ALL };
+/* AT_TORSION: cut where M changes its sign.  AT_ALL: also where w3, A or B does, and with the envelopes' forms
+ * and types. */
+enum cuts { AT_TORSION, AT_ALL };
 
 /* Makes k->piece; false: no room. */
 bool pieces_make(struct region_work *k, enum cuts cuts);
+
+/* Makes them otherwise: spans are halved until the Bernstein coefficients of L lie within 60 degrees of one
+ * direction, so that none is more than twice as long as the sum lets expect.  *all: everywhere; room and
+ * arithmetic may forbid it. */
+bool pieces_make_narrow(struct region_work *k, bool *all);
 
 /* Parameters inside span s, in increasing order, where one of its forms changes sign, with the reasons
  * (enum break_reason; those closer than rounding are one); -1: more than `room`. */
@@ -33,8 +38,8 @@ enum verdict piece_holds(struct region_work *k, const struct piece *p, const rea
 
 /* The same for all pieces but those of arcs in the same chain as `except` (NULL: none) within a quarter turn,
  * and for the chords.  FAILS fills *worst with the half-plane that v misses by most. */
-enum verdict planes_hold(struct region_work *k, const struct piece *except, const real *v, real error,
-                         struct half_plane *worst);
+enum verdict planes_hold(struct region_work *k, const struct piece *a, const struct piece *b, const real *v,
+                         real error, struct half_plane *worst);
 
 /* w at t of the span, as a unit vector with nonnegative third component. */
 void envelope_at(const struct region_work *k, int span, real t, real *v);

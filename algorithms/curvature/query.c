@@ -6,7 +6,7 @@
 
 #include "../core/bernstein.h"
 
-enum { STACK = 2 * (REAL_BITS + 8) };
+enum { STACK = 2 * (REAL_BITS + 8), HALVINGS = 12 };
 
 /* ---- inside? ---- */
 
@@ -69,6 +69,42 @@ static enum side test_form(struct region_work *k, const struct heights *s)
     return SIDE_INSIDE;
 }
 
+/* Most points are settled by a few halvings with one bound for all coefficients; SIDE_BOUNDARY: not this one.
+ */
+static enum side test_quickly(const struct span *span, const real *v)
+{
+    real h[HALVINGS + 1][FORM_MAX], bound = 2 * span->error;
+    int l = span->form.l, length = l + 1, top = 0, halvings = 0;
+    const real *A = span->form.L, *B = A + length, *C = B + length;
+    for (int i = 0; i <= l; i++) {
+        h[0][i] = A[i] * v[0] + B[i] * v[1] + C[i] * v[2];
+    }
+    while (top >= 0) {
+        const real *c = h[top];
+        real least = c[0];
+        for (int i = 1; i <= l; i++) {
+            least = real_min(least, c[i]);
+        }
+        if (least > bound) {
+            top--;
+            continue;
+        }
+        if (c[0] < -bound || c[l] < -bound) {
+            return SIDE_OUTSIDE;
+        }
+        if (c[0] <= bound || c[l] <= bound || halvings++ == HALVINGS) {
+            return SIDE_BOUNDARY;
+        }
+        real cell[FORM_MAX];
+        for (int i = 0; i <= l; i++) {
+            cell[i] = c[i];
+        }
+        bernstein_halve(l, 1, cell, h[top], h[top + 1]);
+        top++;
+    }
+    return SIDE_INSIDE;
+}
+
 static enum side test_span(struct region_work *k, const struct span *span, const real *v, real margin)
 {
     struct heights s;
@@ -100,7 +136,8 @@ enum side region_contains(const struct region_problem *p, struct region_workspac
     family_point_in(k, d, v);
     real reach = margin / k->scale * v[2]; /* v is the point times v[2] */
     for (int i = 0; i < k->spans && side != SIDE_OUTSIDE; i++) {
-        enum side one = test_span(k, &k->span[i], v, reach);
+        enum side one = reach > 0 ? SIDE_BOUNDARY : test_quickly(&k->span[i], v);
+        one = one == SIDE_BOUNDARY ? test_span(k, &k->span[i], v, reach) : one;
         side = one < side ? one : side;
     }
     for (int i = 0; i < k->chords && side != SIDE_OUTSIDE; i++) {
@@ -190,44 +227,24 @@ static struct point nearest_on_boundary(struct region_work *k, const struct regi
     return best;
 }
 
-/* On the allowed side of every line and of every tangent of every arc? */
-static bool is_in_closure(struct region_work *k, const struct region *r, struct point d)
-{
-    struct envelope a;
-    real t;
-    for (int i = 0; i < r->count; i++) {
-        struct region_edge e = edge_in(k, &r->edge[i]);
-        if (e.type == EDGE_ARC) {
-            envelope_make(k, &e, &a);
-        }
-        if ((e.type == EDGE_ARC ? envelope_distance(k, &e, &a, d, &t)
-                                : e.line[0] * d.x + e.line[1] * d.y + e.line[2]) < 0) {
-            return false;
-        }
-    }
-    return true;
-}
-
 real region_distance(const struct region_problem *p, struct region_workspace *w, const struct region *r,
                      struct point d)
 {
     struct region_work *k = w->work;
-    (void)p;
     if (r->kind == REGION_EMPTY || r->kind == REGION_PLANE) {
         return r->kind == REGION_EMPTY ? -REAL_HUGE : REAL_HUGE;
     }
     struct point at = point_in(k, d);
     real distance = k->scale * real_sqrt(square(at, nearest_on_boundary(k, r, at)));
-    return is_in_closure(k, r, at) ? distance : -distance;
+    return region_contains(p, w, d, 0) != SIDE_OUTSIDE ? distance : -distance;
 }
 
 struct point region_nearest(const struct region_problem *p, struct region_workspace *w,
                             const struct region *r, struct point d)
 {
     struct region_work *k = w->work;
-    (void)p;
     struct point at = point_in(k, d);
-    if (r->kind == REGION_EMPTY || r->kind == REGION_PLANE || is_in_closure(k, r, at)) {
+    if (r->kind == REGION_EMPTY || r->kind == REGION_PLANE || region_contains(p, w, d, 0) != SIDE_OUTSIDE) {
         return d;
     }
     struct point n = nearest_on_boundary(k, r, at);

@@ -1,8 +1,9 @@
 /* Cutting planes: the half-plane that a vertex of the polygon misses by most cuts that vertex off.
  *
  * The polygon always holds the region; when no vertex misses a condition by more than the tolerance, neither
- * does any other of its points, by convexity.  Of an arc it makes a chain of tangents, about 1 /
- * sqrt(tolerance). */
+ * does any other of its points, by convexity.  A vertex is measured by Bernstein coefficients over pieces
+ * whose half-planes have similar directions: they are at most 2 sqrt(3) times their form.  Of an arc it makes
+ * a chain of tangents, about 1 / sqrt(tolerance). */
 #include "boundary.h"
 #include "enclose.h"
 
@@ -11,7 +12,8 @@ static enum outcome find(const struct region_problem *p, struct region_workspace
     struct region_work *k = w->work;
     enum outcome outcome = SOLVED;
     real tolerance = p->tolerance > 0 ? p->tolerance : real_ldexp(1, -20);
-    if (!pieces_make(k, WHOLE)) {
+    bool narrow;
+    if (!pieces_make_narrow(k, &narrow)) {
         return OUT_OF_ROOM;
     }
     bool some = enclose(k, &k->cone, 0, tolerance, &outcome);
@@ -19,7 +21,7 @@ static enum outcome find(const struct region_problem *p, struct region_workspace
     if (some && !boundary_of_cone(&k->cone, out)) {
         outcome = OUT_OF_ROOM;
     }
-    out->certified = outcome == SOLVED;
+    out->certified = outcome == SOLVED && narrow;
     return outcome;
 }
 

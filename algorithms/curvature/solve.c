@@ -139,7 +139,7 @@ static void sizes_find(int degree, int spans, struct sizes *s)
     s->m = larger(torsion_degree(degree, false), torsion_degree(degree, rational));
     s->pascal = larger(larger(s->m, s->l), 3 * s->e);
     s->spans = spans;
-    s->pieces = 8 * spans + s->m + 2 * s->l + s->e + 16;
+    s->pieces = 24 * spans + s->m + 2 * s->l + s->e + 40;
     s->chords = CHORDS * spans + 2 * s->l;
     s->span_reals = 3 * (size_t)(s->e + 1) + 4 * (size_t)(s->l + 1) + 2 * (size_t)(s->m + 1);
     s->piece_reals = 4 * (size_t)(s->l + 1) + 3 * (size_t)(s->e + 1);
@@ -302,6 +302,7 @@ enum outcome region_solve(const struct region_problem *p, const struct region_me
     }
     if (k->singular) {
         out->kind = REGION_EMPTY;
+        out->strict = false;
         out->count = 0;
         out->area = out->disc_radius = 0;
     }

@@ -14,6 +14,7 @@ enum { FORM_MAX = 97 };
 struct span {
     real lo, hi;
     struct span_forms form;
+    real error; /* of any coefficient of L, at most */
 };
 
 /* A part of a span, [lo, hi] in the span's own parameter, over which the type is constant. */

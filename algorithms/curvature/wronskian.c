@@ -4,17 +4,18 @@
 
 enum { LENGTH = 97, COEFFICIENTS = 33, RANKS = 4, COLUMNS = 4 };
 
-/* A scaled form of nonnegative sizes and of the errors that go with them, in units of REAL_EPSILON. */
+/* Scaled forms of nonnegative coefficients: sizes, and the same plus `small` times their errors in units of
+ * REAL_EPSILON; of a product of such pairs the difference is, over `small`, its error to first order. */
 struct sizes {
     int n;
-    real size[LENGTH], error[LENGTH];
+    real plain[LENGTH], raised[LENGTH];
 };
 
 /* Column c of rank k, degree n: the k-th difference of the coefficients of component c, scaled. */
 struct ranks {
     int n, ranks, columns;
     real at[RANKS][COLUMNS][COEFFICIENTS];
-    struct sizes sizes[RANKS]; /* sums over the columns */
+    struct sizes sizes[RANKS]; /* see ranks_make */
 };
 
 int envelope_degree(int n, bool rational)
@@ -32,27 +33,33 @@ int torsion_degree(int n, bool rational)
     return n < 3 ? -1 : rational ? 4 * n - 12 : 3 * n - 9;
 }
 
+static real small(void)
+{
+    return real_ldexp(1, -REAL_BITS / 2);
+}
+
 static void sizes_multiply(const struct sizes *a, const struct sizes *b, struct sizes *out)
 {
     out->n = a->n + b->n;
-    form_clear(out->n, out->size);
-    form_clear(out->n, out->error);
-    form_add_product(a->n, a->size, b->n, b->size, 1, out->size);
-    form_add_product(a->n, a->size, b->n, b->error, 1, out->error);
-    form_add_product(a->n, a->error, b->n, b->size, 1, out->error);
+    form_clear(out->n, out->plain);
+    form_clear(out->n, out->raised);
+    form_add_product(a->n, a->plain, b->n, b->plain, 1, out->plain);
+    form_add_product(a->n, a->raised, b->n, b->raised, 1, out->raised);
 }
 
-/* Error of a sum of at most 24 products of the factors: what they err, and the roundings of n additions. */
-static void sizes_to_error(const struct sizes *s, const real *pascal, real unit, real *error)
+/* What a determinant errs by, in units of REAL_EPSILON: its factors' errors, and the roundings of at most 24
+ * products and their sums. */
+static void sizes_bound(const struct sizes *s, real *bound)
 {
-    const real *row = pascal_row(pascal, s->n);
+    const real roundings = 4 * s->n + 16, large = 1 / small();
     for (int i = 0; i <= s->n; i++) {
-        error[i] = (s->error[i] + (real)(s->n + 8) * s->size[i]) * unit / row[i];
+        bound[i] = roundings * s->plain[i] + (s->raised[i] - s->plain[i]) * large;
     }
 }
 
-/* Differences 0..ranks-1 of `columns` forms of degree n, c[k][i], of relative error `noise`; a determinant of
- * the polynomials f, f', f'', ... is that of the differences of one degree, up to a positive constant. */
+/* Differences 0..ranks-1 of `columns` forms of degree n, c[k][i], that err by at most noise[i] REAL_EPSILON;
+ * a determinant of the polynomials f, f', f'', ... is that of the differences of one degree, up to a positive
+ * constant, and at most the product of the sums of |differences| over the columns: their sizes. */
 static void ranks_make(int n, int ranks, int columns, const real *const *c, const real *noise,
                        const real *pascal, struct ranks *r)
 {
@@ -75,8 +82,8 @@ static void ranks_make(int n, int ranks, int columns, const real *const *c, cons
                 r->at[rank][k][i] = d[k][i] * row[i];
                 size += real_abs(d[k][i]);
             }
-            r->sizes[rank].size[i] = size * row[i];
-            r->sizes[rank].error[i] = (error[i] + size) * row[i];
+            r->sizes[rank].plain[i] = size * row[i];
+            r->sizes[rank].raised[i] = (size + (size + error[i]) * small()) * row[i];
         }
         for (int i = 0; i < n - rank; i++) {
             error[i] += error[i + 1];
@@ -227,12 +234,11 @@ static void torsion_rational(const struct ranks *r, real *M, struct sizes *sizes
 }
 
 /* Takes the common factors of the components out of L, and writes L unscaled. */
-static void planes_finish(const real *pascal, struct sizes *sizes, int l, struct span_forms *f)
+static void planes_finish(const real *pascal, const struct sizes *sizes, int l, struct span_forms *f)
 {
     real *bound = f->L + 3 * (l + 1);
     int lo, hi;
-    sizes_to_error(sizes, pascal, 1, bound);
-    form_scale(l, pascal, bound, bound);
+    sizes_bound(sizes, bound);
     count_zeros(l, 3, f->L, bound, &lo, &hi);
     f->bare_start = lo > 0;
     f->bare_end = hi > 0;
@@ -240,8 +246,8 @@ static void planes_finish(const real *pascal, struct sizes *sizes, int l, struct
         lo = hi = 0;
     }
     f->fixed = true;
-    for (int i = lo; i <= l - hi; i++) {
-        f->fixed = f->fixed && is_zero(l, 2, f->L, bound, i);
+    for (int i = lo; i <= l - hi && f->fixed; i++) {
+        f->fixed = is_zero(l, 2, f->L, bound, i);
     }
     f->l = shift(l, 4, f->L, lo, hi);
     for (int k = 0; k < 4; k++) {
@@ -250,25 +256,23 @@ static void planes_finish(const real *pascal, struct sizes *sizes, int l, struct
 }
 
 /* Takes the factors of t and 1 - t out of M, and writes it unscaled. */
-static void torsion_finish(const real *pascal, struct sizes *sizes, int m, struct span_forms *f)
+static void torsion_finish(const real *pascal, const struct sizes *sizes, int m, struct span_forms *f)
 {
     real *bound = f->M + m + 1;
     int lo, hi;
-    sizes_to_error(sizes, pascal, REAL_EPSILON, bound);
-    form_unscale(m, pascal, f->M, f->M);
-    for (lo = 0; lo <= m && real_abs(f->M[lo]) <= bound[lo]; lo++) {
-    }
+    sizes_bound(sizes, bound);
+    count_zeros(m, 1, f->M, bound, &lo, &hi);
     f->m = -1;
     if (lo > m) {
         return;
     }
-    for (hi = 0; real_abs(f->M[m - hi]) <= bound[m - hi]; hi++) {
-    }
-    form_scale(m, pascal, f->M, f->M);
-    form_scale(m, pascal, bound, bound);
     f->m = shift(m, 2, f->M, lo, hi);
     form_unscale(f->m, pascal, f->M, f->M);
-    form_unscale(f->m, pascal, f->M + f->m + 1, f->M + f->m + 1);
+    bound = f->M + f->m + 1;
+    form_unscale(f->m, pascal, bound, bound);
+    for (int i = 0; i <= f->m; i++) {
+        bound[i] = bound[i] * REAL_EPSILON;
+    }
 }
 
 /* bound NULL: coefficients that are 0 are exactly so. */
@@ -343,9 +347,8 @@ static void make_rational(const struct span_input *s, const real *pascal, struct
     f->e = 2 * s->n - 2;
     envelope_rational(&r, f->w);
     sizes_multiply(&r.sizes[0], &r.sizes[1], &sizes);
-    sizes_to_error(&sizes, pascal, 1, bound);
-    form_scale(f->e, pascal, bound, bound);
     f->bare_start = f->bare_end = false;
+    sizes_bound(&sizes, bound);
     envelope_finish(pascal, bound, f);
     bool start = f->bare_start, end = f->bare_end;
     ranks_make(s->n, 3, 4, column, noise, pascal, &r);

@@ -108,7 +108,7 @@ static bool read_domain(const struct fields *r, const char *curve, const json_t 
     return true;
 }
 
-static bool read_curve(const struct fields *r, const char *name, const json_t *v, struct case_curve *c)
+bool case_curve_read(const struct fields *r, const char *name, const json_t *v, struct case_curve *c)
 {
     if (!json_is_object(v))
         return fields_complain(r, name, "%s, expected an object with points", fields_type(v));
@@ -154,8 +154,8 @@ static bool read_line(const struct fields *r, const json_t *line, struct test_ca
 {
     if (!json_is_object(line))
         return fields_complain(r, "line", "%s, expected an object with id, f, g", fields_type(line));
-    return read_labels(r, line, c) && read_curve(r, "f", json_object_get(line, "f"), &c->f) &&
-           read_curve(r, "g", json_object_get(line, "g"), &c->g) &&
+    return read_labels(r, line, c) && case_curve_read(r, "f", json_object_get(line, "f"), &c->f) &&
+           case_curve_read(r, "g", json_object_get(line, "g"), &c->g) &&
            expected_read(r, json_object_get(line, "expected"), &c->expected) &&
            read_near(r, json_object_get(line, "near"), c);
 }
@@ -188,7 +188,7 @@ enum case_status case_parse(const char *text, const char *file, int line_number,
     return CASE_BAD;
 }
 
-static void clear_curve(struct case_curve *c)
+void case_curve_clear(struct case_curve *c)
 {
     rationals_free(c->x, c->degree + 1);
     rationals_free(c->y, c->degree + 1);
@@ -198,8 +198,8 @@ static void clear_curve(struct case_curve *c)
 
 void case_clear(struct test_case *c)
 {
-    clear_curve(&c->f);
-    clear_curve(&c->g);
+    case_curve_clear(&c->f);
+    case_curve_clear(&c->g);
     case_expected_clear(&c->expected);
     free(c->id);
     free(c->class_name);

@@ -33,6 +33,7 @@ struct case_solution {
 /* f over [t0, t1] and g over [s0, s1] are one arc: f(t0) = g(s0), f(t1) = g(s1); s0 > s1 when reversed. */
 struct case_overlap {
     mpq_t t0, t1, s0, s1;
+    bool exact; /* these are the ends themselves */
 };
 
 struct case_expected {

@@ -7,6 +7,11 @@
 #include <jansson.h>
 #include <stdbool.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct case_curve;
 struct case_expected;
 
 enum { FIELD_MAX = 96 }; /* longest name of a field, "expected.overlap[12][3]" */
@@ -37,7 +42,15 @@ mpq_t *rationals_new(int n);
 void rationals_free(mpq_t *q, int n);
 void *memory_new(size_t count, size_t size); /* zeroed */
 
+/* The object of one curve into c, whose numbers lo and hi are initialised and all else zeroed;
+ * case_curve_clear also after a failure.  name: of the field in messages. */
+bool case_curve_read(const struct fields *r, const char *name, const json_t *v, struct case_curve *c);
+void case_curve_clear(struct case_curve *c);
+
 /* The object `expected` of a line into e, which is zeroed. */
 bool expected_read(const struct fields *r, const json_t *v, struct case_expected *e);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -36,6 +36,15 @@ const struct family families[] = {
      .own_weights = true},
     {"circle_tangent", "two circular arcs that touch, from inside or outside", family_circle_tangent, 2, 2, 6,
      6, .own_weights = true},
+    {"on_cut", "random, with a crossing where both parameters are short binary fractions", family_on_cut, 1,
+     1, 12, 0},
+    {"sliver", "random, flattened by 2^-1 to 2^-28 in some direction", family_sliver, 1, 1, 32, 0},
+    {"scaled", "random, times 2^-498 to 2^498, moved by up to 2^30 of its size", family_scaled, 1, 1, 32, 0},
+    {"overlap_beside", "a common arc of a curve that may cross itself", family_overlap_beside, 1, 3, 8, 0},
+    {"near_overlap", "an overlap, the one curve moved by 2^-1 to 2^-36 of a unit", family_near_overlap, 1, 1,
+     8, 0},
+    {"point_curve", "all control points of one curve are equal: on the other curve, or anywhere",
+     family_point_curve, 1, 1, 12, 0},
     {NULL}};
 
 const char *family_refuses(const struct family *a, int n, int m, bool weights, char why[160])

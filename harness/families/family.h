@@ -89,5 +89,11 @@ FAMILY(zero_end);
 FAMILY(overlap);
 FAMILY(circle_crossing);
 FAMILY(circle_tangent);
+FAMILY(on_cut);
+FAMILY(sliver);
+FAMILY(scaled);
+FAMILY(overlap_beside);
+FAMILY(near_overlap);
+FAMILY(point_curve);
 
 #endif

@@ -116,3 +116,50 @@ bool family_overlap(struct draft *d, struct request *r)
         share_carrier(d, r);
     return finish(d, r);
 }
+
+/* A cubic with a loop; of higher degree, any polygon. */
+static void draw_loop(struct points *p, struct request *r)
+{
+    static const slong low[4][2] = {{0, 0}, {6, 4}, {-9, 4}, {1, 0}},
+                       high[4][2] = {{0, 0}, {12, 9}, {-3, 9}, {3, 1}};
+    for (int i = 0; i <= p->degree; i++)
+        if (p->degree == 3)
+            points_set(p, i, (slong)random_between(&r->random, low[i][0], high[i][0]),
+                       (slong)random_between(&r->random, low[i][1], high[i][1]));
+        else
+            points_set(p, i, (slong)random_between(&r->random, -15, 15),
+                       (slong)random_between(&r->random, -15, 15));
+}
+
+bool family_overlap_beside(struct draft *d, struct request *r)
+{
+    struct shape carrier;
+    int low = r->n < r->m ? r->n : r->m;
+    d->class_name = "";
+    d->overlaps = true;
+    d->f.degree = low;
+    shape_init(&carrier);
+    draw_loop(&d->f, r);
+    shape_from_points(&carrier, &d->f);
+    d->f.degree = r->n;
+    share_arc(d, r, &carrier, r->index & 1);
+    shape_clear(&carrier);
+    return finish(d, r);
+}
+
+bool family_near_overlap(struct draft *d, struct request *r)
+{
+    flint_bitcnt_t j = 1 + r->index * 5 % 36;
+    fmpq_t a;
+    fmpq_init(a);
+    share_carrier(d, r);
+    for (int i = 0; i <= d->g.degree; i++)
+        for (int k = 0; k < 2; k++) {
+            fmpq_set_si(a, (slong)random_between(&r->random, -8, 8), 8);
+            fmpq_div_2exp(a, a, j);
+            fmpq_add(k ? d->g.y[i] : d->g.x[i], k ? d->g.y[i] : d->g.x[i], a);
+        }
+    fmpq_clear(a);
+    snprintf(d->note, sizeof d->note, "an overlap, g moved by up to 2^-%d of a unit", (int)j);
+    return finish(d, r);
+}

@@ -14,6 +14,7 @@ struct checker {
     int n, m; /* the workspace takes curves of these degrees; 0: there is none */
     struct crossings *crossings;
     struct external external;
+    double slowest; /* of the pairs so far, ns; with --strict */
 };
 
 /* NULL, or why the external program could not be started. */

@@ -20,7 +20,8 @@ enum {
     POINTS,
     FILTER,
     RESUME,
-    DRY_RUN
+    DRY_RUN,
+    STRICT
 };
 
 static const struct argp_option options[] = {
@@ -30,7 +31,8 @@ static const struct argp_option options[] = {
     {"filter", FILTER, "REGEX", 0, "only the cases whose id matches this extended regular expression", 0},
     {"sample", SAMPLE, "1/N", 0, "one case in N of every class, the first one always", 0},
     {"truth", TRUTH, "JUDGE", OPTION_ARG_OPTIONAL,
-     "compute the truth afresh: by exact algebra (`exact`, the default) or by Krawczyk's test (`krawczyk`)",
+     "compute the truth afresh: by exact algebra (`exact`, the default), by Krawczyk's test (`krawczyk`), or "
+     "by exact algebra where that test gives no verdict (`either`)",
      0},
     {"keep-going", KEEP_GOING, 0, 0, "pass over bad lines; the exit status is still 65", 0},
     {0, 0, 0, 0, "How:", 2},
@@ -46,6 +48,8 @@ static const struct argp_option options[] = {
      "judge answers as points, each paired with one solution within REACH in both parameters "
      "(judge_points.h)",
      0},
+    {"strict", STRICT, 0, 0,
+     "also hold every record to its word, without any tolerance (judge_strict.h), and time each solve", 0},
     {"jobs", 'j', "N", 0, "processes that share the work (1)", 0},
     {0, 0, 0, 0, "What is written:", 3},
     {"rows", ROWS, 0, 0, "a line of JSON for each case and algorithm instead of the table", 0},
@@ -70,8 +74,10 @@ static const char documentation[] =
     "room "
     "with every solution still covered); NOT_TAKEN; UNJUDGED (no truth known).\n\n"
     "Merged: a group of records that hold a solution is wider than four tolerances.\n\n"
-    "Exit status: 0, 1 if something was missed or is extra in a case that is not ambiguous (duplicate and "
-    "merged do not count), 2 on an input or output error or if the external program is not there, 64 on "
+    "With --strict rows also have `violated`, the words broken, and `ns`, the time of the solve.\n\n"
+    "Exit status: 0, 1 if something was missed or is extra or violated in a case that is not ambiguous "
+    "(duplicate and merged do not count), 2 on an input or output error or if the external program is not "
+    "there, 64 on "
     "wrong "
     "usage, 65 on bad data, 130 when interrupted.";
 
@@ -97,8 +103,10 @@ static enum truth read_truth(struct argp_state *state, const char *text)
 {
     if (text && !strcmp(text, "krawczyk"))
         return TRUTH_KRAWCZYK;
+    if (text && !strcmp(text, "either"))
+        return TRUTH_EITHER;
     if (text && strcmp(text, "exact"))
-        argp_error(state, "--truth: \"%s\", expected exact or krawczyk", text);
+        argp_error(state, "--truth: \"%s\", expected exact, krawczyk or either", text);
     return TRUTH_EXACT;
 }
 
@@ -145,6 +153,7 @@ static bool parse_text(int key, char *argument, struct check_options *o)
                  : key == ROWS     ? &o->rows
                  : key == RESUME   ? &o->resume
                  : key == DRY_RUN  ? &o->dry_run
+                 : key == STRICT   ? &o->strict
                  : key == 'q'      ? &o->quiet
                                    : NULL;
     if (text)

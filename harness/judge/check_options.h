@@ -7,7 +7,7 @@
 #include "../run/algorithms_named.h"
 #include "../run/resume.h"
 
-enum truth { TRUTH_GIVEN, TRUTH_EXACT, TRUTH_KRAWCZYK };
+enum truth { TRUTH_GIVEN, TRUTH_EXACT, TRUTH_KRAWCZYK, TRUTH_EITHER };
 
 struct check_options {
     struct algorithms_named algorithms;
@@ -24,6 +24,7 @@ struct check_options {
     const char *output;        /* or NULL: standard output */
     const struct resume *past; /* what is done already; NULL: nothing */
     enum truth truth;
+    bool strict; /* hold every record to its word, and time each solve */
     bool rows, keep_going, quiet, resume, dry_run;
     char **files; /* count of them, pointers into argv */
     int file_count;

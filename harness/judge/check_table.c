@@ -82,6 +82,7 @@ void check_table_add(struct check_table *t, const json_t *row)
             line->sum[i] += (long)json_integer_value(json_object_get(row, columns[i].field));
         else
             line->sum[i] += !strcmp(text_of(row, "verdict"), columns[i].verdict);
+    line->violated += (long)json_integer_value(json_object_get(row, "violated"));
     if (json_is_number(error) && json_number_value(error) > line->max_error)
         line->max_error = json_number_value(error);
 }
@@ -161,7 +162,7 @@ void check_table_write(const struct check_table *t, FILE *stream)
 bool check_table_failed(const struct check_table *t)
 {
     for (int i = 0; i < t->count; i++)
-        if (!t->at[i].ambiguous && (t->at[i].sum[MISSED] || t->at[i].sum[EXTRA]))
+        if (!t->at[i].ambiguous && (t->at[i].sum[MISSED] || t->at[i].sum[EXTRA] || t->at[i].violated))
             return true;
     return false;
 }

@@ -11,7 +11,7 @@ enum { TABLE_COLUMNS = 13 };
 struct table_line {
     char *class_name, *algorithm;
     bool ambiguous;
-    long sum[TABLE_COLUMNS];
+    long sum[TABLE_COLUMNS], violated;
     double max_error; /* -1: nothing was found */
 };
 
@@ -23,7 +23,7 @@ struct check_table {
 
 void check_table_add(struct check_table *t, const json_t *row); /* a row of `check --rows` */
 void check_table_write(const struct check_table *t, FILE *stream);
-/* Something missed or extra in a case that is not ambiguous. */
+/* Something missed, extra or violated in a case that is not ambiguous. */
 bool check_table_failed(const struct check_table *t);
 long check_table_unjudged(const struct check_table *t);
 void check_table_clear(struct check_table *t);

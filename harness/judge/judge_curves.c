@@ -142,22 +142,28 @@ bool curves_apart(const struct problem *p, const struct box *b, real distance)
 
 real curves_match(const struct problem *p, real t, struct interval range, real *s)
 {
-    enum { STEPS = 64 };
+    enum { STEPS = 128 };
     struct jet f = jet_at(&p->f, t), g = jet_at(&p->g, *s);
-    real best = length(f.at[0] - g.at[0], f.at[1] - g.at[1]);
+    real best = length(f.at[0] - g.at[0], f.at[1] - g.at[1]), share = 1;
 
-    for (int k = 0; k < STEPS; k++) {
+    for (int k = 0; k < STEPS; k++) { /* steps that lead away are halved: the start may be far */
         real square = g.slope[0] * g.slope[0] + g.slope[1] * g.slope[1];
         if (!(square > 0))
             break;
         real step = ((f.at[0] - g.at[0]) * g.slope[0] + (f.at[1] - g.at[1]) * g.slope[1]) / square;
-        real to = real_min(real_max(*s + step, range.lo), range.hi);
-        g = jet_at(&p->g, to);
-        real now = length(f.at[0] - g.at[0], f.at[1] - g.at[1]);
-        if (!(now < best))
-            break;
+        real to = real_min(real_max(*s + share * step, range.lo), range.hi);
+        struct jet there = jet_at(&p->g, to);
+        real now = length(f.at[0] - there.at[0], f.at[1] - there.at[1]);
+        if (!(now < best)) {
+            share = share / 2;
+            if (!(share >= (real)1 / 1024))
+                break;
+            continue;
+        }
         best = now;
         *s = to;
+        g = there;
+        share = real_min(1, 2 * share);
     }
     return best;
 }

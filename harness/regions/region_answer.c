@@ -153,6 +153,21 @@ static void write_breaks(FILE *stream, const struct region_breaks *b)
     fputc(']', stream);
 }
 
+static void write_at(FILE *stream, const struct region_answer *a)
+{
+    static const char *const sides[] = {"outside", "boundary", "inside"};
+    fputs(",\"at\":{\"point\":", stream);
+    write_point(stream, a->at);
+    fprintf(stream, ",\"side\":\"%s\",\"distance\":", sides[a->side]);
+    if (a->region->count > 0)
+        write_real(stream, a->distance);
+    else
+        fputs("null", stream);
+    fputs(",\"nearest\":", stream);
+    write_point(stream, a->nearest);
+    fputc('}', stream);
+}
+
 void region_answer_write(FILE *stream, const struct region_answer *a)
 {
     const struct region *r = a->region;
@@ -168,5 +183,7 @@ void region_answer_write(FILE *stream, const struct region_answer *a)
     write_closed(stream, r);
     if (a->breaks)
         write_breaks(stream, a->breaks);
+    if (a->at_given)
+        write_at(stream, a);
     fprintf(stream, ",\"certified\":%s,\"steps\":%ld}\n", r->certified ? "true" : "false", a->steps);
 }

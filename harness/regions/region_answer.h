@@ -14,6 +14,10 @@ struct region_answer {
     long steps;
     const struct region *region;
     const struct region_breaks *breaks; /* NULL: not written */
+    bool at_given;                      /* a point was asked about: */
+    struct point at, nearest;
+    enum side side;
+    real distance;
 };
 
 /* One line of JSON; reals as in the answers of `solve`: numbers in double, texts at quad and multi. */

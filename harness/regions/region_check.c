@@ -13,6 +13,12 @@ void region_check(struct region_checker *k, const struct region_case *c, const s
         wrong = region_check_expected(c, p, w, a);
     if (!wrong)
         wrong = region_check_sample(p, w, a);
+    if (k->exact && a->method == region_methods[0]) {
+        *k->exact = *a->region;
+    } else if (k->exact && a->outcome == SOLVED) {
+        wrong = wrong ? wrong : region_check_agree(p, w, k->exact, a->region);
+        k->compared++;
+    }
     k->regions++;
     k->wrong += wrong != NULL;
     k->certified += a->region->certified;
@@ -31,6 +37,7 @@ void region_check(struct region_checker *k, const struct region_case *c, const s
 void region_check_summary(const struct region_checker *k, FILE *stream)
 {
     fprintf(stream,
-            "%ld regions, %ld wrong, %ld certified; %ld compared with what was expected, %ld with samples\n",
-            k->regions, k->wrong, k->certified, k->expected, k->sampled);
+            "%ld regions, %ld wrong, %ld certified; %ld compared with what was expected, %ld with samples, "
+            "%ld with another method\n",
+            k->regions, k->wrong, k->certified, k->expected, k->sampled, k->compared);
 }

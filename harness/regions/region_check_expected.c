@@ -175,6 +175,21 @@ static const char *compare_kind(const json_t *expected, const struct region *r)
     return strict && json_is_true(strict) != nonempty ? "strict_nonempty differs" : NULL;
 }
 
+/* `closed`: the point; the two ends of the segment; the end of the ray and another point of it. */
+static const char *compare_closed(const json_t *closed, const struct region *r, real bound)
+{
+    bool same = true, swapped = true;
+    size_t n = json_array_size(closed);
+    if (r->closed_kind == REGION_POINT || r->closed_kind == REGION_SEGMENT || r->closed_kind == REGION_RAY) {
+        n = r->closed_kind == REGION_SEGMENT ? n : n > 0;
+        for (size_t i = 0; i < n && i < 2; i++) {
+            same = same && same_point(json_array_get(closed, i), r->closed[i], false, bound);
+            swapped = swapped && same_point(json_array_get(closed, i), r->closed[1 - i], false, bound);
+        }
+    }
+    return same || (swapped && r->closed_kind == REGION_SEGMENT) ? NULL : "closed: other points";
+}
+
 const char *region_check_expected(const struct region_case *c, const struct region_problem *p,
                                   struct region_workspace *w, const struct region_answer *a)
 {
@@ -183,6 +198,8 @@ const char *region_check_expected(const struct region_case *c, const struct regi
     real size = size_of(p, json_object_get(expected, "vertices")), bound = size * allowed();
     bool exact = a->method == region_methods[0]; /* the others have polygons for arcs */
     const char *found = compare_kind(expected, r);
+    if (!found) /* found by moving the conditions a little */
+        found = compare_closed(json_object_get(expected, "closed"), r, size * (real)1e-6);
     if (!found && exact && json_object_get(expected, "edges_ccw"))
         found = compare_edges(json_object_get(expected, "edges_ccw"), r, bound);
     if (!found && exact)

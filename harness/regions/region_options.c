@@ -2,12 +2,26 @@
 
 #include <argp.h>
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../cases/number.h"
 
-enum { TOLERANCE = 256, MAX_STEPS, CHECK, ROWS, ALL_POINTS, KEEP_GOING };
+enum {
+    TOLERANCE = 256,
+    MAX_STEPS,
+    CHECK,
+    ROWS,
+    ALL_POINTS,
+    KEEP_GOING,
+    AT,
+    TIME,
+    REPEAT,
+    RANDOM,
+    SEED,
+    DEGREE
+};
 
 static const struct argp_option options[] = {
     {"method", 'm', "LIST", 0, "names separated by commas, or `all` (that first in --help)", 0},
@@ -20,6 +34,16 @@ static const struct argp_option options[] = {
     {"max-steps", MAX_STEPS, "N", 0, "step limit (1000000)", 0},
     {"check", CHECK, 0, 0, "judge by `expected` and by a dense sample of half-planes", 0},
     {"rows", ROWS, 0, 0, "with --check: a line of JSON for each region instead of a summary", 0},
+    {"at", AT, "X,Y", 0, "besides: on which side that point lies, its distance, the nearest allowed point",
+     0},
+    {"time", TIME, 0, 0, "a row for each region and method: nanoseconds on one thread", 0},
+    {"repeat", REPEAT, "K", 0,
+     "solve everything K times and write nothing but {\"regions\",\"passes\"}, for "
+     "profilers; with --at only the question about the point",
+     0},
+    {"random", RANDOM, "N", 0, "write N random lines instead", 0},
+    {"seed", SEED, "S", 0, "of --random (1)", 0},
+    {"degree", DEGREE, "LO-HI", 0, "of --random (3-9)", 0},
     {"keep-going", KEEP_GOING, 0, 0, "pass over bad lines; the exit status is still 65", 0},
     {0, 0, 0, 0, 0, 0}};
 
@@ -63,13 +87,61 @@ static void read_methods(struct region_options *o, char *list, struct argp_state
     }
 }
 
-static int read_count(struct argp_state *state, const char *text)
+static int read_count(struct argp_state *state, const char *name, const char *text, long least)
 {
     char *end;
     long n = strtol(text, &end, 10);
-    if (end == text || *end || n < 1 || n > INT_MAX)
-        argp_error(state, "--max-steps: \"%s\", expected an integer from 1 to %d", text, INT_MAX);
+    if (end == text || *end || n < least || n > INT_MAX)
+        argp_error(state, "--%s: \"%s\", expected an integer from %ld to %d", name, text, least, INT_MAX);
     return (int)n;
+}
+
+static void read_at(struct argp_state *state, char *text, struct region_options *o)
+{
+    char *y = strchr(text, ',');
+    if (y)
+        *y++ = 0;
+    o->at_given = true;
+    if (!y || !real_parse(text, &o->at.x) || !real_parse(y, &o->at.y))
+        argp_error(state, "--at: expected two numbers X,Y");
+}
+
+static void read_degrees(struct argp_state *state, const char *text, struct region_options *o)
+{
+    char rest;
+    int n = sscanf(text, "%d-%d%c", &o->degree_lo, &o->degree_hi, &rest);
+    if (n == 1)
+        o->degree_hi = o->degree_lo;
+    if (n < 1 || n > 2 || o->degree_lo < 2 || o->degree_hi < o->degree_lo ||
+        o->degree_hi > REGION_RATIONAL_MAX)
+        argp_error(state, "--degree: \"%s\", expected LO-HI within 2-%d", text, REGION_RATIONAL_MAX);
+}
+
+/* false: not one of these. */
+static bool parse_measuring(int key, char *argument, struct argp_state *state, struct region_options *o)
+{
+    switch (key) {
+    case AT:
+        read_at(state, argument, o);
+        return true;
+    case TIME:
+        o->time = true;
+        return true;
+    case REPEAT:
+        o->repeat = read_count(state, "repeat", argument, 1);
+        return true;
+    case RANDOM:
+        o->random = read_count(state, "random", argument, 1);
+        return true;
+    case SEED:
+        o->seed = read_count(state, "seed", argument, 0);
+        return true;
+    case DEGREE:
+        read_degrees(state, argument, o);
+        return true;
+    default:
+        return false;
+    }
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state)
@@ -84,7 +156,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
             argp_error(state, "--tolerance: \"%s\", expected a number in [0, 1)", argument);
         return 0;
     case MAX_STEPS:
-        o->max_steps = read_count(state, argument);
+        o->max_steps = read_count(state, "max-steps", argument, 1);
         return 0;
     case CHECK:
         o->check = true;
@@ -105,11 +177,13 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case ARGP_KEY_END:
         if (o->rows && !o->check)
             argp_error(state, "--rows goes with --check");
+        if (o->check + o->time + (o->repeat > 0) + (o->random > 0) > 1)
+            argp_error(state, "one of --check, --time, --repeat and --random only");
         if (o->count == 0)
             add_method(o, region_methods[0]);
         return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return parse_measuring(key, argument, state, o) ? 0 : ARGP_ERR_UNKNOWN;
     }
 }
 
@@ -136,6 +210,9 @@ void region_options_read(int argc, char **argv, struct region_options *o)
     memset((void *)o, 0, sizeof *o);
     o->tolerance = 0;
     o->max_steps = REGION_STEPS_MAX;
+    o->seed = 1;
+    o->degree_lo = 3;
+    o->degree_hi = 9;
     if (argp_parse(&argp, argc, argv, 0, NULL, o))
         exit(64);
 }

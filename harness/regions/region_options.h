@@ -11,7 +11,12 @@ struct region_options {
     int count;
     real tolerance;
     int max_steps;
-    bool check, rows, all_points, keep_going;
+    bool check, rows, all_points, keep_going, time;
+    bool at_given;
+    struct point at;
+    long repeat, random; /* 0: not asked for */
+    long seed;
+    int degree_lo, degree_hi;
     char **files;
     int file_count;
 };

@@ -14,6 +14,7 @@ struct solve_options {
     const char *f, *g;
     char *own_line; /* a case line of the curves -f and -g, or NULL */
     const char *output;
+    double decide; /* seconds of exact arithmetic for a case; 0: none */
     bool keep_going, human, quiet;
     char **files; /* count of them, pointers into argv */
     int file_count;

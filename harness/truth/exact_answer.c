@@ -206,6 +206,7 @@ static const char *put_range(struct test_case *c, struct exact_range *r, int dig
         done = parameter_set(&p[i], end[i], i < 2 ? &c->f : &c->g, digits, false) && done;
         mpq_init(q[i]);
         mpq_set(q[i], p[i].q);
+        to->exact = (i == 0 || to->exact) && p[i].exact;
     }
     add(expected, "overlap",
         json_pack("[f, f, f, f]", p[0].nearest, p[1].nearest, p[2].nearest, p[3].nearest));

@@ -6,12 +6,14 @@
  * - all directions cross all others the same way: at most one solution, decided, found and proved by Newton's
  * method on the extended pair (cone.c, solve_one.c, ends.c);
  * - strips along the chords apart: nothing; arcs side by side that turn differently: none, two, or a contact
- * (graphs.c, contact.c); a derivative of the gap of one sign: at most so many (cluster.c);
- * - a shared arc (overlap.c).
+ * (graphs.c, contact.c); a derivative of the gap of one sign: at most so many (cluster.c); a cusp at a
+ * cusp: at most so many (cusps.c);
+ * - a shared arc (overlap.c); a curve that is one point (point.c).
  *
  * Where rounding hides what is there, the place is cut again with twice the digits (zoom.c).  What is still
  * open when both parameters are as narrow as asked is a CANDIDATE.  Every pair that leaves the stack is
  * empty, or its solutions lie in records: so do all. */
+#include "front.h"
 #include "graphs.h"
 
 enum { FIRST_LOOK = 64 }; /* steps before overlaps are looked for */
@@ -33,7 +35,7 @@ static size_t level_length(int n, int m)
     return 3 * (size_t)(n + 1 + m + 1) + source_length(n) + source_length(m);
 }
 
-static size_t scratch(int n, int m)
+size_t certified_scratch(int n, int m)
 {
     return 2 * numbers_for(NODES_MAX * sizeof(struct node)) + numbers_for(PAIRS_MAX * sizeof(struct pair)) +
            (size_t)NODES_MAX * (size_t)(node_stride(n) + node_stride(m)) + LEVELS_MAX * level_length(n, m);
@@ -69,8 +71,9 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->level_stride = level_length(n, m);
     z->level_numbers = at;
     z->levels = z->pairs = z->solved = 0;
-    z->next_look = FIRST_LOOK;
-    z->suspicions = 0;
+    z->next_look = w->steps + FIRST_LOOK;
+    z->suspicions = z->looks = z->overlap_looks = 0;
+    z->alone = false;
 }
 
 /* ---- level 0 ---- */
@@ -96,7 +99,7 @@ static int root_make(struct tree *tree, const struct source *c)
     return k;
 }
 
-/* false: the octagons are apart */
+/* Level 0 and its roots; false: the octagons are apart. */
 static bool begin(struct solver *z)
 {
     const struct problem *p = z->p;
@@ -116,8 +119,21 @@ static bool begin(struct solver *z)
     z->levels = 1;
     z->root_f = f;
     z->root_g = g;
-    pair_push(z, 0, f, g, 0);
     return true;
+}
+
+/* The whole problem, or what a front left of it. */
+static void begin_with_all(struct solver *z, const struct rest *rest)
+{
+    (void)rest;
+    pair_push(z, 0, z->root_f, z->root_g, 0);
+}
+
+static void begin_with_rest(struct solver *z, const struct rest *rest)
+{
+    for (int i = 0; i < rest->count; i++) {
+        pair_push_rectangle(z, &rest->at[i].t, &rest->at[i].s);
+    }
 }
 
 /* ---- one pair ---- */
@@ -153,14 +169,17 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    const real small = (real)1 / 1024;
+    const real small = (real)1 / 1024, tiny = (real)1 / 256;
     struct graphs h;
     if (!f->wide && !g->wide && strips_apart(v, f, g)) {
         return CLOSED;
     }
     bool last = narrow_t(z, v, f) && narrow_s(z, v, g);
-    if ((at->rest > 0 && !last) || (f->wide && g->wide)) {
+    if (at->rest > 0 && !last) {
         return OPEN;
+    }
+    if (f->wide && g->wide) {
+        return at->level > 0 || (f->hi - f->lo) * (g->hi - g->lo) <= tiny ? cusps_settle(z, at) : OPEN;
     }
     bool graphs = !f->wide && !g->wide && graphs_init(v, f, g, &h);
     if (graphs && (h.apart || overlap_holds(z, at->level, f, g, &h) ||
@@ -201,12 +220,16 @@ static enum verdict settle(struct solver *z, struct pair *at)
     return settle_beside(z, at);
 }
 
-/* Once in a while, where there is too much to do: if there is a shared arc, all begins anew without it. */
+/* Once in a while, where there is too much to do: if there is a shared arc, all begins anew without it.  The
+ * longer it takes, the farther apart the arcs may be: nearly one, they are told as one, with how far, before
+ * the places where they meet fill thousands of records. */
 static void look_for_overlaps(struct solver *z)
 {
     enum { TIMES = 8 };
-    z->next_look = TIMES * (z->next_look < FIRST_LOOK ? (int)FIRST_LOOK : z->next_look);
-    if (overlap_find(z)) {
+    int looser = z->overlap_looks == 0 ? 0 : z->overlap_looks == 1 ? 7 : 16;
+    z->overlap_looks++;
+    z->next_look = (int)TIMES * (z->next_look < (int)FIRST_LOOK ? (int)FIRST_LOOK : z->next_look);
+    if (overlap_find(z, looser)) {
         z->out->count = 0;
         z->out->merged = false;
         z->outcome = SOLVED;
@@ -267,34 +290,80 @@ static void step(struct solver *z)
     }
 }
 
-static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+static void settle_all(struct solver *z)
+{
+    while (z->pairs > 0) {
+        if (!z->alone && z->w->steps >= z->next_look) {
+            look_for_overlaps(z);
+        }
+        if (is_crowded(&z->f) || is_crowded(&z->g)) {
+            nodes_collect(z);
+        }
+        step(z);
+    }
+}
+
+enum outcome certified_search(const struct problem *p, struct workspace *w, struct crossings *out,
+                              void (*begin_with)(struct solver *z, const struct rest *rest),
+                              const struct rest *rest)
 {
     struct solver z;
     solver_init(&z, p, w, out);
     if (!begin(&z)) {
         return SOLVED;
     }
-    while (z.pairs > 0) {
-        if (w->steps >= z.next_look) {
-            look_for_overlaps(&z);
-        }
-        if (is_crowded(&z.f) || is_crowded(&z.g)) {
-            nodes_collect(&z);
-        }
-        step(&z);
+    begin_with(&z, rest);
+    if (!z.alone && point_settle(&z)) {
+        return z.outcome;
     }
+    settle_all(&z);
     records_tidy(&z);
     return z.outcome;
 }
+
+static enum outcome intersect_scalar(const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    return certified_search(p, w, out, begin_with_all, NULL);
+}
+
+static enum outcome search_rest(const struct problem *p, const struct rest *rest, struct workspace *w,
+                                struct crossings *out)
+{
+    return rest->count == 0 ? SOLVED : certified_search(p, w, out, begin_with_rest, rest);
+}
+
+/* A front that refused the problem as it came may still take the prepared one. */
+static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    struct rest rest;
+    if (p->rest) {
+        return search_rest(p, p->rest, w, out);
+    }
+    return front_of_prepared(p, w, out, &rest) ? search_rest(p, &rest, w, out) : intersect_scalar(p, w, out);
+}
+
+#define REFERENCE                                                                                            \
+    "here; cones of directions: Sederberg and Meyers, Loop detection in surface patch intersections, 1988"
 
 extern const struct intersector certified;
 const struct intersector certified = {
     .name = "certified",
     .summary = "every crossing proved by cross products, every contact resolved or owned up to",
-    .reference = "here; cones of directions: Sederberg and Meyers, Loop detection in surface patch "
-                 "intersections, 1988",
+    .reference = REFERENCE,
     .claimed = {0, 0, 0, 0},
     .intersect = intersect,
-    .scratch = scratch,
+    .scratch = certified_scratch,
+    .points_only = false,
+    .front = front_of_certified,
+};
+
+extern const struct intersector certified_scalar;
+const struct intersector certified_scalar = {
+    .name = "certified_scalar",
+    .summary = "the same without kernels for particular processors",
+    .reference = REFERENCE,
+    .claimed = {0, 0, 0, 0},
+    .intersect = intersect_scalar,
+    .scratch = certified_scratch,
     .points_only = false,
 };

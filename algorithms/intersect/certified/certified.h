@@ -100,12 +100,24 @@ struct solver {
     struct pair *pair;
     struct rectangle solved_at[SOLVED_MAX];
     int root_f, root_g;
-    int next_look;  /* steps before overlaps are looked for (again) */
+    int next_look; /* steps before overlaps are looked for (again) */
+    int overlap_looks;
     int suspicions; /* so often a gap was no more than rounding */
+    bool alone;     /* shared arcs are not looked for: loops.c */
+    int looks;      /* closer looks at pairs that would be candidates */
 };
 
 /* CLOSED: every solution of the pair is in some record.  OPEN: nothing is known. */
 enum verdict { OPEN, CLOSED };
+
+/* ---- certified.c ---- */
+
+/* Settles the pairs of nodes of level 0 that begin_with pushes, which all solutions asked for lie in; it is
+ * given `rest`. */
+enum outcome certified_search(const struct problem *p, struct workspace *w, struct crossings *out,
+                              void (*begin_with)(struct solver *z, const struct rest *rest),
+                              const struct rest *rest);
+size_t certified_scratch(int n, int m);
 
 /* ---- nodes.c ---- */
 
@@ -154,6 +166,8 @@ enum search solve_one(const struct level *v, const struct node *f, const struct 
 /* Settles a pair with cone_gap > 0 and the given zero. */
 enum verdict zero_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                          const struct zero *x);
+/* Of two records that hold one zero each, and are proved to hold the same, the narrower stays. */
+void zeros_unite(struct solver *z);
 /* Looks for a single zero in (x->t +- wt) x (x->s +- ws), local parameters.  ZERO: there is one, at *found,
  * and it has been reported.  NO_ZERO: there is none.  STUCK: nothing is proved.  Smaller rectangles are tried
  * in turn, but all more than twice as large as x's own. */
@@ -169,7 +183,7 @@ bool region_is_solved(const struct solver *z, int level, const struct zero *x);
 /* The same where nothing is proved: OPEN if there is no closer look to be had. */
 enum verdict region_look(struct solver *z, int level, const struct zero *x);
 
-/* From local parameters of a level to the problem's. */
+/* From local parameters of a level to the problem's, rounded outwards. */
 struct interval level_t(const struct level *v, real lo, real hi);
 struct interval level_s(const struct level *v, real lo, real hi);
 /* Does the rectangle lie in a solved one? */
@@ -190,8 +204,14 @@ void level_give_up(struct solver *z);
 
 /* ---- overlap.c ---- */
 
-/* Looks for a shared arc; true: one was added to the records. */
-bool overlap_find(struct solver *z);
+/* Looks for a shared arc: arcs that are apart by rounding, times 2^looser; true: one was added to the
+ * records. */
+bool overlap_find(struct solver *z, int looser);
+
+/* ---- point.c ---- */
+
+/* If one of the curves is a point, settles all; else false. */
+bool point_settle(struct solver *z);
 
 /* ---- stack.c ---- */
 
@@ -201,6 +221,8 @@ void record_add(struct solver *z, const struct crossing *c);
 void records_tidy(struct solver *z);
 /* Where there is no room, the pair becomes a record. */
 void pair_push(struct solver *z, int level, int f, int g, int rest);
+/* The nodes over t and s of level 0 as a pair, cut from the originals, if their octagons meet. */
+void pair_push_rectangle(struct solver *z, const struct interval *t, const struct interval *s);
 /* Pushes what of the pair lies in the region instead of it; OPEN: there is no memory. */
 enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct zero *x);
 /* Halves the arc that is farther from straight; accepts the pair if neither needs it. */

@@ -45,22 +45,35 @@ static bool is_limited(const struct gap_model *c, const struct stretch *s)
     return c->gap.c[SERIES].rad * (dd * dd * dd) <= c->noise && c->gap.c[0].rad <= many * c->noise;
 }
 
-/* The least p for which G^(p) has one sign on the stretch; 0: none. */
-static int order_on(const struct gap_model *c, const struct stretch *s)
+/* The least p for which G^(p) has one sign on the stretch; 0: none.  size: at most |G^(p)| / p!. */
+static int order_on(const struct gap_model *c, const struct stretch *s, real *size)
 {
     for (int p = 1; p <= SERIES; p++) {
         struct ball g[SERIES + 1];
         gap_model_bernstein(c, p, s->lo, s->hi, g);
         int up = 0, down = 0;
+        *size = 0;
         for (int i = 0; i <= SERIES - p; i++) {
             up += g[i].mid > g[i].rad;
             down += -g[i].mid > g[i].rad;
+            *size = real_max(*size, ball_most(g[i]));
         }
         if (up > SERIES - p || down > SERIES - p) {
             return p;
         }
     }
     return 0;
+}
+
+/* Would a narrower pair, whose points are cut, tell no more?  G changes by no more than size d^p over d. */
+static bool is_all(const struct gap_model *c, const struct stretch *s, int p, real size)
+{
+    const int many = 4;
+    real quarter = (s->hi - s->lo) / 4;
+    for (int k = 0; k < p; k++) {
+        size = size * quarter;
+    }
+    return size <= many * c->noise;
 }
 
 /* Does G have opposite signs at the ends of the node? */
@@ -93,8 +106,10 @@ static enum verdict settle_stretch(struct solver *z, const struct pair *at, cons
     const real worth = (real)0.5;
     struct zero x, found;
     region_of(c, s, f_is_graph ? g : f, f_is_graph ? f : g, f_is_graph, &x);
-    bool limited = is_limited(c, s);
-    int p = limited ? order_on(c, s) : 0;
+    real size;
+    int p = order_on(c, s, &size);
+    bool limited = is_limited(c, s) || (p && is_all(c, s, p, size));
+    p = limited ? p : 0;
     if (p == 1) {
         const int many = 64;
         struct zero guess = {x.t, x.s, 0, 0};

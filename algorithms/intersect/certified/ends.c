@@ -10,23 +10,33 @@
 
 /* ---- parameters of the problem ---- */
 
-static struct interval to_problem(const struct interval *span, real lo, real hi)
+/* A product and a sum of numbers that are not negative: less than 1.5 eps of the sum, up (1) or down (-1). */
+static real rounded(const struct interval *span, real at, int up)
 {
-    real width = span->hi - span->lo;
-    struct interval out;
-    out.lo = lo <= 0 ? span->lo : span->lo + width * lo;
-    out.hi = hi >= 1 ? span->hi : span->lo + width * hi;
-    return out;
+    real width = span->hi - span->lo, sum = span->lo + width * at;
+    return width == 1 ? sum : sum * (1 + up * 2 * REAL_EPSILON); /* the whole: exact */
 }
 
 struct interval level_t(const struct level *v, real lo, real hi)
 {
-    return to_problem(&v->t, lo, hi);
+    struct interval out = {lo <= 0 ? v->t.lo : rounded(&v->t, lo, -1),
+                           hi >= 1 ? v->t.hi : rounded(&v->t, hi, 1)};
+    return out;
 }
 
 struct interval level_s(const struct level *v, real lo, real hi)
 {
-    return to_problem(&v->s, lo, hi);
+    struct interval out = {lo <= 0 ? v->s.lo : rounded(&v->s, lo, -1),
+                           hi >= 1 ? v->s.hi : rounded(&v->s, hi, 1)};
+    return out;
+}
+
+/* A part of it that surely lies within; lo > hi: none does. */
+static struct interval level_inner(const struct interval *span, const struct node *a)
+{
+    struct interval out = {a->lo <= 0 ? span->lo : rounded(span, a->lo, 1),
+                           a->hi >= 1 ? span->hi : rounded(span, a->hi, -1)};
+    return out;
 }
 
 static bool within(const struct interval *a, const struct interval *b)
@@ -92,7 +102,7 @@ static bool near_end(const struct interval *a)
 /* Is the only zero within the nodes among the records already?  It is if some record lies within them. */
 static bool is_reported(const struct solver *z, const struct interval *t, const struct interval *s)
 {
-    for (int i = 0; z->solved > 0 && i < z->out->count; i++) {
+    for (int i = 0; i < z->out->count; i++) {
         const struct crossing *c = &z->out->at[i];
         if ((c->standing == UNIQUE || c->standing == END) && within(&c->t, t) && within(&c->s, s)) {
             return true;
@@ -112,8 +122,16 @@ static struct interval around(const struct interval *span, real x, real radius)
     return a;
 }
 
+/* Pairs of a deeper level wait: no closer look from this one before they are settled.  Who wants one leaves
+ * the pair open; its halves are taken up after them. */
+static bool is_busy(const struct solver *z, int level)
+{
+    return level + 1 < z->levels;
+}
+
 /* One zero, at x: a record, or if it is wider than asked for, a closer look.  Returns the level of that look,
- * or 0. */
+ * or 0; LATER: nothing was done. */
+enum { LATER = -1 };
 static int report(struct solver *z, int level, const struct zero *x)
 {
     const struct level *v = &z->level[level];
@@ -129,9 +147,13 @@ static int report(struct solver *z, int level, const struct zero *x)
     if (c.t.lo > c.t.hi || c.s.lo > c.s.hi) {
         return 0; /* beyond the domain after all */
     }
-    if ((c.t.hi - c.t.lo > b->tolerance_t || c.s.hi - c.s.lo > b->tolerance_s) &&
-        zoom(z, level, x, shorter, &c)) {
-        return z->levels - 1;
+    if (c.t.hi - c.t.lo > b->tolerance_t || c.s.hi - c.s.lo > b->tolerance_s) {
+        if (is_busy(z, level)) {
+            return LATER;
+        }
+        if (zoom(z, level, x, shorter, &c)) {
+            return z->levels - 1;
+        }
     }
     record_add(z, &c);
     return 0;
@@ -174,10 +196,13 @@ enum search zero_prove(struct solver *z, int level, const struct zero *x, real w
             continue;
         }
         struct interval at = around(&v->t, found->t, found->rt), as = around(&v->s, found->s, found->rs);
-        struct interval ut = level_t(v, f.lo, f.hi), us = level_s(v, g.lo, g.hi);
+        struct interval ut = level_inner(&v->t, &f), us = level_inner(&v->s, &g);
         int looked = 0;
         if (!is_solved(z, level, &at, &as) && !is_reported(z, &ut, &us)) {
             looked = report(z, level, found);
+        }
+        if (looked == LATER) {
+            return STUCK;
         }
         solved_add(z, &ut, &us, looked);
         return ZERO;
@@ -202,13 +227,61 @@ enum verdict zero_settle(struct solver *z, int level, const struct node *f, cons
                    : CLOSED;
     }
     if (z->solved > 0) {
-        struct interval nt = level_t(v, f->lo, f->hi), ns = level_s(v, g->lo, g->hi);
+        struct interval nt = level_inner(&v->t, f), ns = level_inner(&v->s, g);
         if (is_reported(z, &nt, &ns)) {
             return CLOSED;
         }
     }
-    report(z, level, x);
-    return CLOSED;
+    return report(z, level, x) == LATER ? OPEN : CLOSED;
+}
+
+/* ---- one zero, two records ---- */
+
+static bool overlap(const struct interval *a, const struct interval *b)
+{
+    return a->lo <= b->hi && b->lo <= a->hi;
+}
+
+/* Is there at most one zero of the extended pair in a rectangle that holds both? */
+static bool holds_one(struct solver *z, const struct crossing *a, const struct crossing *b)
+{
+    enum { TRIES = 8, SMALLER = 16 };
+    real t0 = real_min(a->t.lo, b->t.lo), t1 = real_max(a->t.hi, b->t.hi);
+    real s0 = real_min(a->s.lo, b->s.lo), s1 = real_max(a->s.hi, b->s.hi);
+    real width = real_max(t1 - t0, s1 - s0), w = (real)1 / 16;
+    for (int k = 0; k < TRIES && w > 2 * width; k++, w = w / SMALLER) {
+        struct node f, g;
+        struct zero found;
+        enum search search = search_around(z, 0, (t0 + t1) / 2, (s0 + s1) / 2, w, w, &f, &g, &found);
+        if (search != STUCK) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* An END's zero may lie beyond the domain: the rectangle's extension is the record's there, by the tangent at
+ * the same end. */
+void zeros_unite(struct solver *z)
+{
+    struct crossing *at = z->out->at;
+    for (int i = 0; i < z->out->count; i++) {
+        for (int k = i + 1; k < z->out->count; k++) {
+            bool zeros = (at[i].standing == UNIQUE || at[i].standing == END) &&
+                         (at[k].standing == UNIQUE || at[k].standing == END);
+            if (!zeros || !overlap(&at[i].t, &at[k].t) || !overlap(&at[i].s, &at[k].s) ||
+                !holds_one(z, &at[i], &at[k])) {
+                continue;
+            }
+            bool later = at[k].standing != at[i].standing ? at[k].standing == UNIQUE
+                                                          : at[k].t.hi - at[k].t.lo < at[i].t.hi - at[i].t.lo;
+            if (later) {
+                at[i] = at[k];
+            }
+            at[k] = at[--z->out->count];
+            k = i;
+        }
+    }
 }
 
 /* ---- several ---- */
@@ -253,6 +326,9 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     const real shorter = (real)1 / 16;
     /* two solutions are told apart, or from none, at any tolerance */
     bool look = !whole || !narrow || (level == 0 && at_most <= 2);
+    if (look && is_busy(z, level)) {
+        return OPEN;
+    }
     if (look && zoom(z, level, x, whole ? shorter : (real)1, &c)) {
         return CLOSED;
     }

@@ -19,13 +19,21 @@
 
 /* ---- enclosures of Taylor coefficients by the own parameter ---- */
 
+/* Of the points of a frame: |e|_1 <= 1.5 times their own, and 10 u S of rounding, u S <= E / (12 n + 1).  A
+ * node that is the whole source has the source's points, which are not cut. */
+static real frame_error(const struct source *c, const struct node *a)
+{
+    bool whole = a->lo == 0 && a->hi == 1;
+    return whole ? 2 * c->error + 12 * c->node_error / (12 * c->n + 1) : 3 * c->node_error;
+}
+
 static void frame_node(const struct source *c, const struct node *a, real ex, real ey, real x0, real y0,
                        struct framed *out)
 {
     const real *x = a->points, *y = x + c->n + 1, *w = y + c->n + 1;
     out->n = c->n;
     out->rational = c->rational;
-    out->error = 3 * c->node_error; /* |e|_1 <= 1.5, and rounding: 10 u S < E */
+    out->error = frame_error(c, a);
     for (int i = 0; i <= c->n; i++) {
         real weight = c->rational ? w[i] : (real)1, dx = x[i] - x0 * weight, dy = y[i] - y0 * weight;
         out->c[0][i] = ex * dx + ey * dy;
@@ -184,6 +192,30 @@ static real graph_parameter(const struct framed *g, real x, real as)
     return as;
 }
 
+/* How far the graph is in x from the free node at `at`, about. */
+static real distance_at(const struct gap_model *c, real at)
+{
+    struct ball x, gx, slope;
+    component_at(&c->loose, at, &x, &slope);
+    component_at(&c->graph, graph_parameter(&c->graph, x.mid, (real)0.5), &gx, &slope);
+    return real_abs(x.mid - gx.mid);
+}
+
+/* The middle; or, where the graph does not reach so far, an end: then little of the two is side by side. */
+static void choose_centre(struct gap_model *c)
+{
+    const real small = (real)1 / 16;
+    real least = distance_at(c, (real)0.5) * small;
+    c->at = (real)0.5;
+    for (int end = 0; end <= 1 && least > c->noise; end++) {
+        real distance = distance_at(c, end);
+        if (distance < least) {
+            least = distance;
+            c->at = end;
+        }
+    }
+}
+
 /* The Taylor coefficients of G at `at`.  gamma's series belongs to the abscissa of `as`, which is h less than
  * X(at): its coefficients at X(at) differ by less than |h| (j + 1) gamma_(j+1) over the node, and G_0 by
  * gamma_1 h + gamma_2 h^2. */
@@ -233,8 +265,8 @@ bool gap_model_init(const struct source *free_of, const struct node *free_node, 
     node_series(&out->loose, -1, &px, &py);
     subtract_graph(&px, &py, &range, &out->gap);
     out->swing = ball_most(px.c[SERIES]);
-    out->noise = out->loose.error + out->graph.error;
-    out->at = (real)0.5;
+    out->noise = 3 * (free_of->node_error + graph_of->node_error);
+    choose_centre(out);
     if (!centre(out, &range)) {
         return false;
     }

@@ -18,7 +18,7 @@ struct gap_model {
     struct framed graph, loose;
     struct series gap;
     struct series x; /* X at `at` */
-    real noise;      /* of points: what cannot be told from 0 */
+    real noise;      /* of points of cut nodes: what narrower ones cannot tell from 0 */
     real swing;      /* the last coefficient of X over the node, at most */
     real run;        /* |X'| of the graph, at least */
     real at, as;     /* parameters of about the same abscissa */

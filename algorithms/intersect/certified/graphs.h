@@ -50,6 +50,7 @@ void direction_turn(const struct node *a, real *out);
 enum verdict contact_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                             const struct graphs *h);
 enum verdict cluster_settle(struct solver *z, const struct pair *at);
+enum verdict cusps_settle(struct solver *z, const struct pair *at);
 bool overlap_holds(const struct solver *z, int level, const struct node *f, const struct node *g,
                    const struct graphs *h);
 

@@ -22,17 +22,15 @@ void records_tidy(struct solver *z)
 {
     struct crossing *at = z->out->at;
     for (int i = 0; i < z->out->count; i++) {
-        for (int k = 0; at[i].standing == CLUSTER && k < z->out->count;) {
+        for (int k = 0; at[i].standing == CLUSTER && k < z->out->count; k++) {
             if (k != i && is_idle(&at[k], &at[i])) {
-                int last = --z->out->count;
-                at[k] = at[last];
-                i = i == last ? k : i;
-                k = 0;
-            } else {
-                k++;
+                at[k] = at[--z->out->count];
+                i = k = -1; /* what has moved may hold others: again from the beginning */
+                break;
             }
         }
     }
+    zeros_unite(z);
 }
 
 static void record_pair(struct solver *z, const struct pair *at)
@@ -92,23 +90,44 @@ static bool is_speck(const struct source *c, const struct node *a)
     return extent(a) <= 6 * c->node_error;
 }
 
-static int part_make(struct tree *tree, const struct source *c, const struct node *of, real x, real radius)
+/* A node over [lo, hi], apart from the tree; 0: no memory. */
+static int part_make(struct tree *tree, const struct source *c, real lo, real hi)
 {
     int k = node_new(tree);
     if (k) {
         struct node *part = &tree->node[k];
         part->way = part->points + (c->rational ? 3 : 2) * (c->n + 1);
-        node_cut(c, real_min(real_max(x - radius, of->lo), of->hi),
-                 real_max(real_min(x + radius, of->hi), of->lo), part);
+        node_cut(c, lo, hi, part);
     }
     return k;
+}
+
+static int part_around(struct tree *tree, const struct source *c, const struct node *of, real x, real radius)
+{
+    return part_make(tree, c, real_min(real_max(x - radius, of->lo), of->hi),
+                     real_max(real_min(x + radius, of->hi), of->lo));
+}
+
+void pair_push_rectangle(struct solver *z, const struct interval *t, const struct interval *s)
+{
+    const struct level *v = &z->level[0];
+    bool whole_t = t->lo == 0 && t->hi == 1, whole_s = s->lo == 0 && s->hi == 1;
+    int f = whole_t ? z->root_f : part_make(&z->f, &v->f, t->lo, t->hi);
+    int g = whole_s ? z->root_g : part_make(&z->g, &v->g, s->lo, s->hi);
+    if (!f || !g) { /* cannot be: REST_MAX parts and their siblings are fewer than NODES_MAX */
+        f = z->root_f;
+        g = z->root_g;
+    }
+    if (nodes_meet(&z->f.node[f], &z->g.node[g])) {
+        pair_push(z, 0, f, g, 0);
+    }
 }
 
 enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct zero *x)
 {
     const struct level *v = &z->level[at->level];
-    int f = part_make(&z->f, &v->f, &z->f.node[at->f], x->t, x->rt);
-    int g = part_make(&z->g, &v->g, &z->g.node[at->g], x->s, x->rs);
+    int f = part_around(&z->f, &v->f, &z->f.node[at->f], x->t, x->rt);
+    int g = part_around(&z->g, &v->g, &z->g.node[at->g], x->s, x->rs);
     if (!f || !g) {
         return OPEN;
     }
@@ -118,13 +137,24 @@ enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct z
     return CLOSED;
 }
 
+/* What is as narrow as asked and still open gets a closer look, so often. */
+static bool look_before(struct solver *z, const struct pair *at)
+{
+    enum { LOOKS = 32 };
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    struct zero x = {(f->lo + f->hi) / 2, (g->lo + g->hi) / 2, (f->hi - f->lo) / 2, (g->hi - g->lo) / 2};
+    return at->level == 0 && z->looks++ < LOOKS && region_look(z, 0, &x) == CLOSED;
+}
+
 void pair_split(struct solver *z, const struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     bool done_f = narrow_t(z, v, f) || is_speck(&v->f, f), done_g = narrow_s(z, v, g) || is_speck(&v->g, g);
     if (done_f && done_g) {
-        pair_accept(z, at);
+        if (!look_before(z, at)) {
+            pair_accept(z, at);
+        }
         return;
     }
     bool of_f = f->bend != g->bend ? f->bend > g->bend : extent(f) >= extent(g);

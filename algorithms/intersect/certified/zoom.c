@@ -107,14 +107,14 @@ static void enlarge(const struct cut *cut, real *points, real factor, real error
 static void span_make(real x, real radius, struct interval *out)
 {
     enum { PARTS = 64 };
-    real width = real_ldexp(1, real_exponent(radius) + 3);
+    real width = real_ldexp(1, real_exponent(radius) + 2);
     if (width >= 1) {
         out->lo = 0;
         out->hi = 1;
         return;
     }
     /* the nearest multiple of width / PARTS, by adding and subtracting a number whose last place that is */
-    real big = real_ldexp(width / PARTS, REAL_BITS - 1), lo = x - width / 2;
+    real big = real_ldexp(width / PARTS, REAL_BITS - 1), lo = x - width * 21 / 64;
     lo = (lo + big) - big;
     out->lo = clamp(lo, 0, 1 - width);
     out->hi = out->lo + width;
@@ -151,15 +151,15 @@ static bool level_new(struct solver *z, const struct interval *t, const struct i
 
 bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const struct crossing *otherwise)
 {
-    enum { STEPS = 64 };
+    enum { STEPS = 192 };
     const struct level *v = &z->level[from];
     real wt = v->t.hi - v->t.lo, ws = v->s.hi - v->s.lo;
     struct interval t, s;
     if (z->levels == LEVELS_MAX || from != z->levels - 1) {
         return false;
     }
-    span_make(v->t.lo + wt * x->t, wt * x->rt + 2 * REAL_EPSILON, &t);
-    span_make(v->s.lo + ws * x->s, ws * x->rs + 2 * REAL_EPSILON, &s);
+    span_make(v->t.lo + wt * x->t, wt * x->rt + 32 * REAL_EPSILON, &t);
+    span_make(v->s.lo + ws * x->s, ws * x->rs + 32 * REAL_EPSILON, &s);
     if (t.hi - t.lo > shorter * wt && s.hi - s.lo > shorter * ws) {
         return false;
     }
@@ -183,12 +183,39 @@ bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const 
     return true;
 }
 
+/* Where all that is known is a region wider than asked, it is taken up again as a pair, and halved a few
+ * times before any other look. */
+static bool go_on_below(struct solver *z, const struct crossing *region)
+{
+    enum { HALVINGS = 8 };
+    const struct bounds *b = &z->p->bounds;
+    const struct level *v = &z->level[0];
+    bool narrow =
+        region->t.hi - region->t.lo <= b->tolerance_t && region->s.hi - region->s.lo <= b->tolerance_s;
+    int f, g;
+    if (region->standing != CANDIDATE || narrow || !(f = node_new(&z->f)) || !(g = node_new(&z->g))) {
+        return false;
+    }
+    struct node *c = &z->f.node[f], *d = &z->g.node[g];
+    c->way = c->points + (v->f.rational ? 3 : 2) * (v->f.n + 1);
+    d->way = d->points + (v->g.rational ? 3 : 2) * (v->g.n + 1);
+    node_cut(&v->f, region->t.lo, region->t.hi, c);
+    node_cut(&v->g, region->s.lo, region->s.hi, d);
+    pair_push(z, 0, f, g, HALVINGS);
+    return true;
+}
+
 void level_give_up(struct solver *z)
 {
     const struct level *v = &z->level[z->levels - 1];
+    const struct crossing nowhere = {{2, 2}, {2, 2}, CANDIDATE, 0, 0};
     z->pairs = v->pairs;
     if (v->records >= 0 && !z->out->merged) { /* merged, they may have moved: then they stay */
         z->out->count = v->records;
+    }
+    if (go_on_below(z, &v->otherwise)) {
+        solved_shrink(z, z->levels - 1, &nowhere);
+        return;
     }
     record_add(z, &v->otherwise);
     solved_shrink(z, z->levels - 1, &v->otherwise);

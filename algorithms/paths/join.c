@@ -1,0 +1,434 @@
+/* Records of one solution at a joint become one, and all are sorted.
+ *
+ * A solution at a joint of the first path lies in both segments that meet there, likewise of the second: up
+ * to four pairs of segments find it.  Two records meet if on both paths they do: on a path two spans meet
+ * that have a parameter of one segment in common, or that reach the same joint.  Records of different pairs
+ * of segments that meet, and meet in turn, are one group; so every solution lies in records of one group. Of
+ * a path against itself the two spans of a record are not told apart.
+ *
+ * What a group without overlaps holds: as many solutions at most as its members together.  If all of them
+ * hold no more than one, and all reach the same joint of both paths, which is one point exactly, then that is
+ * it: one. If not, it may be proved (joint.c). */
+#include "paths.h"
+
+struct joining {
+    const struct path_solver *z;
+    struct path_record *record;
+    int records;
+    int *bucket;  /* of sorting: count_a + 1 */
+    int *head[2]; /* of the lists of records that reach a joint, by the segment that ends there */
+    int *next;    /* of entries: 4 r + 2 side + end */
+    int *order;
+    int reaching; /* so many records reach a joint */
+    int chains;
+};
+
+static const struct path *path_of(const struct path_solver *z, int side)
+{
+    return side ? z->b : z->a;
+}
+
+static const struct path_span *span_at(const struct path_record *r, int side)
+{
+    return side ? &r->b : &r->a;
+}
+
+/* The joint that a span reaches with its lower end (end 0) or its upper one, by the segment that ends there;
+ * or -1. */
+static int joint_of(const struct path *path, const struct path_span *span, int end)
+{
+    if (end) {
+        return span->hi == 1 && path->next[span->last] >= 0 ? span->last : -1;
+    }
+    return span->lo == 0 ? path->before[span->first] : -1;
+}
+
+static bool spans_meet(const struct path *path, const struct path_span *p, const struct path_span *q)
+{
+    if (p->first == q->first && p->lo <= q->hi && q->lo <= p->hi) {
+        return true;
+    }
+    for (int e = 0; e <= 1; e++) {
+        int joint = joint_of(path, p, e);
+        if (joint >= 0 && (joint == joint_of(path, q, 0) || joint == joint_of(path, q, 1))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* ---- groups ---- */
+
+static int root_of(struct path_record *record, int r)
+{
+    while (record[r].link != r) {
+        record[r].link = record[record[r].link].link;
+        r = record[r].link;
+    }
+    return r;
+}
+
+static void unite(struct path_record *record, int p, int q)
+{
+    p = root_of(record, p);
+    q = root_of(record, q);
+    if (p < q) {
+        record[q].link = p;
+    } else {
+        record[p].link = q;
+    }
+}
+
+/* Records that reach a joint go on its list, and into `order`. */
+static void list_joints(struct joining *j)
+{
+    j->reaching = 0;
+    for (int r = 0; r < j->records; r++) {
+        bool reaches = false;
+        j->record[r].link = r;
+        for (int k = 0; k < 4; k++) { /* entry 4 r + 2 side + end */
+            int side = k / 2, joint = joint_of(path_of(j->z, side), span_at(&j->record[r], side), k % 2);
+            if (joint >= 0) {
+                j->next[4 * r + k] = j->head[side][joint];
+                j->head[side][joint] = 4 * r + k;
+                reaches = true;
+            }
+        }
+        if (reaches) {
+            j->order[j->reaching++] = r;
+        }
+    }
+}
+
+/* Two entries of one list: the records reach the same joint with these sides. */
+static void try_to_unite(struct joining *j, int e, int f)
+{
+    const struct path_record *p = &j->record[e / 4], *q = &j->record[f / 4];
+    int p_side = e / 2 % 2, q_side = f / 2 % 2;
+    bool same_pair = p->a.first == q->a.first && p->b.first == q->b.first;
+    if (!same_pair && spans_meet(path_of(j->z, 1 - p_side), span_at(p, 1 - p_side), span_at(q, 1 - q_side))) {
+        unite(j->record, e / 4, f / 4);
+    }
+}
+
+static void unite_all(struct joining *j)
+{
+    for (int at = 0; at < j->reaching; at++) {
+        int r = j->order[at];
+        for (int e = 4 * r; e < 4 * r + 4; e++) {
+            int side = e / 2 % 2;
+            if (joint_of(path_of(j->z, side), span_at(&j->record[r], side), e % 2) < 0) {
+                continue;
+            }
+            for (int f = j->next[e]; f >= 0; f = j->next[f]) {
+                try_to_unite(j, e, f);
+            }
+        }
+    }
+}
+
+/* ---- one group ---- */
+
+/* Of a path against itself: turns the spans of q so that they go with those of p, if they do. */
+static bool turn_to(const struct path *path, const struct path_record *p, struct path_record *q)
+{
+    if (spans_meet(path, &p->a, &q->a) && spans_meet(path, &p->b, &q->b)) {
+        return true;
+    }
+    if (!spans_meet(path, &p->a, &q->b) || !spans_meet(path, &p->b, &q->a)) {
+        return false;
+    }
+    struct path_span s = q->a;
+    q->a = q->b;
+    q->b = s;
+    return true;
+}
+
+/* Members of the group are linked by next[4 r], from its root on.  Puts them in an order where each goes with
+ * one before it; `chain`, 0 so far, marks those that have their place. */
+static void turn_members(struct joining *j, int root)
+{
+    struct path_record *record = j->record;
+    bool more = true;
+    for (int r = root; r >= 0; r = j->next[4 * r]) {
+        record[r].chain = r == root;
+    }
+    while (more) {
+        more = false;
+        for (int r = root; r >= 0; r = j->next[4 * r]) {
+            for (int q = root; record[r].chain && q >= 0; q = j->next[4 * q]) {
+                if (!record[q].chain && turn_to(j->z->a, &record[r], &record[q])) {
+                    record[q].chain = 1;
+                    more = true;
+                }
+            }
+        }
+    }
+}
+
+/* A member whose span is on `segment` and reaches its end (0 or 1; 2: any); lo, hi grow to its span. */
+static bool reach(const struct joining *j, int root, int side, int segment, int end, struct path_span *s)
+{
+    bool found = false;
+    for (int r = root; r >= 0; r = j->next[4 * r]) {
+        const struct path_span *p = span_at(&j->record[r], side);
+        if (p->first == segment && (end == 2 || (end == 0 ? p->lo == 0 : p->hi == 1))) {
+            s->lo = found ? real_min(s->lo, p->lo) : p->lo;
+            s->hi = found ? real_max(s->hi, p->hi) : p->hi;
+            found = true;
+        }
+    }
+    return found;
+}
+
+static struct path_span hull_of(const struct joining *j, int root, int side)
+{
+    const struct path *path = path_of(j->z, side);
+    int home = span_at(&j->record[root], side)->first;
+    struct path_span s = {home, home, 0, 1}, ends;
+    for (int k = path->before[home]; k >= 0 && k != home && reach(j, root, side, k, 1, &ends);
+         k = path->before[k]) {
+        s.first = k;
+    }
+    for (int k = path->next[home]; k >= 0 && k != s.first && reach(j, root, side, k, 0, &ends);
+         k = path->next[k]) {
+        s.last = k;
+    }
+    if (s.first == s.last) {
+        reach(j, root, side, home, 2, &s);
+        return s;
+    }
+    reach(j, root, side, s.first, 1, &ends);
+    s.lo = ends.lo;
+    reach(j, root, side, s.last, 0, &ends);
+    s.hi = ends.hi;
+    return s;
+}
+
+/* Does every member reach the joints x and y, and are these one point? */
+static bool is_at_joints(const struct joining *j, int root, int x, int y)
+{
+    const struct path *a = j->z->a, *b = j->z->b;
+    for (int r = root; r >= 0; r = j->next[4 * r]) {
+        const struct path_span *p = &j->record[r].a, *q = &j->record[r].b;
+        if ((joint_of(a, p, 0) != x && joint_of(a, p, 1) != x) ||
+            (joint_of(b, q, 0) != y && joint_of(b, q, 1) != y)) {
+            return false;
+        }
+    }
+    return path_same_point(&a->segment[x], a->segment[x].degree, &b->segment[y], b->segment[y].degree);
+}
+
+static bool meets_at_joints(const struct joining *j, int root)
+{
+    const struct path_record *r = &j->record[root];
+    for (int k = 0; k < 4; k++) {
+        int x = joint_of(j->z->a, &r->a, k & 1), y = joint_of(j->z->b, &r->b, k >> 1);
+        if (x >= 0 && y >= 0 && is_at_joints(j, root, x, y)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The members become one record, the root's. */
+static void merge_group(struct joining *j, int root)
+{
+    struct path_record *to = &j->record[root];
+    int at_most = 0, members = 0;
+    bool known = true, single = true, joint = false;
+    if (j->z->self) {
+        turn_members(j, root);
+    }
+    struct path_span a = hull_of(j, root, 0), b = hull_of(j, root, 1);
+    for (int r = root; r >= 0; r = j->next[4 * r]) {
+        const struct path_record *m = &j->record[r];
+        single = single && (m->standing == UNIQUE || m->standing == END);
+        known = known && m->at_most > 0;
+        joint = joint || m->joint;
+        at_most += m->at_most;
+        members++;
+    }
+    if (members == 1 && (to->standing == UNIQUE || !single)) {
+        return;
+    }
+    bool one = single && (meets_at_joints(j, root) || path_joint_prove(j->z->a, j->z->b, &a, &b));
+    for (int r = j->next[4 * root]; r >= 0; r = j->next[4 * r]) {
+        j->record[r].link = -1; /* gone */
+    }
+    to->a = a;
+    to->b = b;
+    to->joint = joint;
+    to->chain = 0;
+    if (one || members > 1) {
+        to->standing = one ? UNIQUE : known ? CLUSTER : CANDIDATE;
+        to->at_most = one ? 1 : known ? at_most : 0;
+    }
+}
+
+static void settle_group(struct joining *j, int root)
+{
+    bool overlaps = false;
+    for (int r = root; r >= 0; r = j->next[4 * r]) {
+        overlaps = overlaps || j->record[r].overlap >= 0;
+    }
+    if (!overlaps) {
+        merge_group(j, root);
+    } else if (j->next[4 * root] >= 0) {
+        j->chains++;
+        for (int r = root; r >= 0; r = j->next[4 * r]) {
+            j->record[r].chain = j->chains;
+        }
+    }
+}
+
+static void settle_groups(struct joining *j)
+{
+    for (int at = 0; at < j->reaching; at++) {
+        j->next[4 * j->order[at]] = -1;
+    }
+    for (int at = j->reaching - 1; at >= 0; at--) {
+        int r = j->order[at], root = root_of(j->record, r);
+        if (root != r) { /* a root has the least number of its group, and comes last */
+            j->next[4 * r] = j->next[4 * root];
+            j->next[4 * root] = r;
+        }
+    }
+    for (int at = 0; at < j->reaching; at++) {
+        if (j->record[j->order[at]].link == j->order[at]) {
+            settle_group(j, j->order[at]);
+        }
+    }
+}
+
+/* ---- sorting ---- */
+
+static bool span_precedes(const struct path_span *p, const struct path_span *q)
+{
+    return p->first != q->first ? p->first < q->first : p->lo < q->lo;
+}
+
+static bool precedes(const struct path_record *p, const struct path_record *q)
+{
+    if (span_precedes(&p->a, &q->a) || span_precedes(&q->a, &p->a)) {
+        return span_precedes(&p->a, &q->a);
+    }
+    if (span_precedes(&p->b, &q->b) || span_precedes(&q->b, &p->b)) {
+        return span_precedes(&p->b, &q->b);
+    }
+    return p->a.hi != q->a.hi ? p->a.hi < q->a.hi : p->b.hi < q->b.hi;
+}
+
+static void sort_part(const struct path_record *record, int *order, int count)
+{
+    int gap = 1;
+    while (gap < count / 3) {
+        gap = 3 * gap + 1;
+    }
+    for (; gap > 0; gap /= 3) {
+        for (int i = gap; i < count; i++) {
+            int r = order[i], k = i;
+            for (; k >= gap && precedes(&record[r], &record[order[k - gap]]); k -= gap) {
+                order[k] = order[k - gap];
+            }
+            order[k] = r;
+        }
+    }
+}
+
+/* record[k] becomes what record[order[k]] was. */
+static void permute(struct path_record *record, int *order, int count)
+{
+    for (int k = 0; k < count; k++) {
+        if (order[k] < 0) {
+            continue;
+        }
+        struct path_record first = record[k];
+        int at = k;
+        while (order[at] != k) {
+            int from = order[at];
+            record[at] = record[from];
+            order[at] = -1;
+            at = from;
+        }
+        record[at] = first;
+        order[at] = -1;
+    }
+}
+
+/* By segments of the first path into buckets, and each of these by the rest. */
+static void sort_records(struct joining *j)
+{
+    int segments = j->z->a->count;
+    for (int i = 0; i <= segments; i++) {
+        j->bucket[i] = 0;
+    }
+    for (int r = 0; r < j->records; r++) {
+        j->bucket[j->record[r].a.first + 1]++;
+    }
+    for (int i = 0; i < segments; i++) {
+        j->bucket[i + 1] += j->bucket[i];
+    }
+    for (int r = 0; r < j->records; r++) {
+        j->order[j->bucket[j->record[r].a.first]++] = r;
+    }
+    for (int i = 0, from = 0; i < segments; from = j->bucket[i++]) {
+        sort_part(j->record, j->order + from, j->bucket[i] - from);
+    }
+    permute(j->record, j->order, j->records);
+}
+
+/* Of a path against itself the earlier span comes first. */
+static void turn_spans(const struct joining *j)
+{
+    for (int r = 0; j->z->self && r < j->records; r++) {
+        struct path_record *p = &j->record[r];
+        if (p->overlap < 0 && span_precedes(&p->b, &p->a)) {
+            struct path_span s = p->a;
+            p->a = p->b;
+            p->b = s;
+        }
+    }
+}
+
+static void drop_gone(struct joining *j)
+{
+    int kept = 0;
+    for (int r = 0; r < j->records; r++) {
+        if (j->record[r].link >= 0 && kept++ != r) {
+            j->record[kept - 1] = j->record[r];
+        }
+    }
+    j->records = kept;
+}
+
+size_t path_join_size(int count_a, int count_b, int records)
+{
+    return (2 * (size_t)count_a + 1 + (size_t)count_b + 5 * (size_t)records) * sizeof(int);
+}
+
+void path_records_join(const struct path_solver *z, struct path_records *all, void *numbers)
+{
+    struct joining j;
+    int records = all->count;
+    j.z = z;
+    j.record = all->at;
+    j.records = records;
+    j.bucket = (int *)numbers;
+    j.head[0] = j.bucket + z->a->count + 1;
+    j.head[1] = z->self ? j.head[0] : j.head[0] + z->a->count;
+    int joints = z->a->count + (z->self ? 0 : z->b->count);
+    j.next = j.head[0] + joints;
+    j.order = j.next + 4 * (size_t)records;
+    j.chains = 0;
+    for (int i = 0; i < joints; i++) {
+        j.head[0][i] = -1;
+    }
+    list_joints(&j);
+    unite_all(&j);
+    settle_groups(&j);
+    drop_gone(&j);
+    turn_spans(&j);
+    sort_records(&j);
+    all->count = j.records;
+}

@@ -1,0 +1,27 @@
+/* What the files of the paths share. */
+#ifndef FATLINE_PATHS_H
+#define FATLINE_PATHS_H
+
+#include "../path.h"
+
+/* Is coefficient i of c the same point as coefficient j of d, exactly? */
+bool path_same_point(const struct curve *c, int i, const struct curve *d, int j);
+
+/* ---- boxes.c ---- */
+
+path_boxes *path_boxes_choose(void); /* what this processor is fastest with */
+
+/* ---- straight.c ---- */
+
+/* true: some linear function grows strictly along c and then, if it is not NULL, along d, which begins where
+ * c ends: no point is met twice. */
+bool path_runs_straight(const struct curve *c, const struct curve *d);
+
+/* ---- joint.c ---- */
+
+/* Tries to prove that just one solution lies in the hull of the group; true: *span_a and *span_b, which hold
+ * the spans given, have exactly one. */
+bool path_joint_prove(const struct path *a, const struct path *b, struct path_span *span_a,
+                      struct path_span *span_b);
+
+#endif

@@ -1,0 +1,116 @@
+/* fatline paths: where paths of many curves cross each other, or themselves. */
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <argp.h>
+
+#include "paths/path_job.h"
+#include "paths/path_options.h"
+#include "paths/path_read.h"
+#include "paths/path_rows.h"
+#include "paths/path_timing.h"
+#include "run/progress.h"
+#include "run/row.h"
+
+enum { OK = 0, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
+
+static volatile int interrupted;
+
+static void interrupt(int signal_number)
+{
+    (void)signal_number;
+    interrupted = 1;
+}
+
+/* The second signal ends the program at once. */
+static void watch_signals(void)
+{
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = interrupt;
+    action.sa_flags = SA_RESETHAND;
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+/* a with b, or with itself if b is NULL. */
+static int run_one(FILE *out, const struct path_options *o, const struct loaded_path *a,
+                   const struct loaded_path *b)
+{
+    struct path_job job;
+    int result = OK;
+    path_job_make(&job, a, b, o->tolerance, o->max_steps);
+    if (o->time) {
+        result = path_timing_write(out, &job, o, &interrupted) ? OK : FAILED;
+    } else if (path_job_run(&job, &interrupted)) {
+        path_rows_write(out, &job);
+        if (!o->quiet)
+            path_summary_write(&job);
+    }
+    path_job_clear(&job);
+    return result;
+}
+
+static int run_all(FILE *out, const struct path_options *o, const struct path_set *a,
+                   const struct path_set *b)
+{
+    int worst = OK;
+    for (int i = 0; i < a->count && !interrupted && worst == OK; i++) {
+        if (o->print)
+            path_write(out, &a->at[i]);
+        else if (!b)
+            worst = run_one(out, o, &a->at[i], NULL);
+        for (int k = 0; b && !o->print && k < b->count && !interrupted && worst == OK; k++)
+            worst = run_one(out, o, &a->at[i], &b->at[k]);
+    }
+    for (int k = 0; b && o->print && k < b->count && !interrupted; k++)
+        path_write(out, &b->at[k]);
+    return worst;
+}
+
+static void make_random(const struct path_options *o, struct path_set *a, struct path_set *b)
+{
+    char id[2][64];
+    for (int k = 0; k < 2; k++)
+        snprintf(id[k], sizeof id[k], "random-%d-%llu-%d", o->random, (unsigned long long)o->seed, k);
+    path_random(a, id[0], o->random, o->seed, 0);
+    if (!o->alone)
+        path_random(b, id[1], o->random, o->seed, 1);
+}
+
+const char *argp_program_version = "fatline 0.1";
+
+int main(int argc, char **argv)
+{
+    struct path_options options;
+    struct path_set a = {0, 0, NULL}, b = {0, 0, NULL};
+    int read = OK, result = OK;
+    path_options_read(argc, argv, &options);
+    watch_signals();
+    FILE *out = options.output ? fopen(options.output, "w") : stdout;
+    if (!out) {
+        fprintf(stderr, "%s: %s\n", options.output, strerror(errno));
+        return FAILED;
+    }
+    for (int k = 0; k < 2 && options.files[k] && read != FAILED; k++) {
+        int status = path_set_read(k ? &b : &a, options.files[k]);
+        read = status ? status : read;
+    }
+    if (options.random)
+        make_random(&options, &a, &b);
+    if (options.time && read == OK)
+        row_write(out, row_environment(argc, argv, REAL_NAME));
+    if (read == OK)
+        result = run_all(out, &options, &a, b.count > 0 || options.files[1] ? &b : NULL);
+    path_set_clear(&a);
+    path_set_clear(&b);
+    bool bad = ferror(out) || fflush(out);
+    if (out != stdout)
+        bad = fclose(out) || bad;
+    if (bad)
+        fprintf(stderr, "%s: cannot be written\n", options.output ? options.output : "standard output");
+    return interrupted ? INTERRUPTED : bad ? FAILED : read != OK ? read : result;
+}
