@@ -163,6 +163,7 @@ include algorithms/peers/peers.mk
 # ---- commands ------------------------------------------------------------------------------------------------
 
 # Set-up may bring the compiler and the headers that this file asks for, so the rest runs in a make of its own.
+FUZZ = build/fuzz/library
 JOBS ?= $(shell nproc)
 AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
@@ -172,9 +173,9 @@ CASES ?= ../shared/cases
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
 
-tests: $(programs) $(library) peers-found build/slower/double/fatline-passes $(tests_double) $(tests_others) ## build everything and the tests
+tests: $(programs) $(library) $(if $(shell command -v clang),$(FUZZ) build/fuzz/planted) peers-found build/slower/double/fatline-passes $(tests_double) $(tests_others) ## build everything and the tests
 
-check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (6 minutes)
+check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (8 minutes)
 	$(AFTER_SETUP) tests
 	@$(PYTHON) tests/run --cases $(CASES)
 
@@ -211,14 +212,21 @@ instructions: all ## count the instructions of each algorithm under callgrind
 against-lib2geom: all ## time bezier_clipping beside lib2geom's clipping
 	@scripts/against_lib2geom
 
-FUZZ = build/fuzz/certified
 FUZZ_SECONDS = 60
-$(FUZZ): tests/fuzz_certified.c $(ALGORITHMS_double)
-	@mkdir -p $(@D)/corpus
-	clang -std=c11 -D_GNU_SOURCE -O1 -g $(FP) -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined \
-	    -o $@ $^ $(LIBS_double) -lm
-fuzz: $(FUZZ) ## libFuzzer with sanitizers on the certified algorithm, FUZZ_SECONDS=60 (needs clang)
-	$(FUZZ) -max_total_time=$(FUZZ_SECONDS) -max_len=2048 -timeout=10 -print_final_stats=1 $(dir $(FUZZ))corpus
+FUZZ_FLAGS = -std=c11 -D_GNU_SOURCE -O1 -g $(FP) -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
+build/fuzz/%.o: %.c
+	@mkdir -p $(@D)
+	clang $(FUZZ_FLAGS) -MMD -MP -c $< -o $@
+$(FUZZ): $(LIBRARY_SOURCES:%.c=build/fuzz/%.o) build/fuzz/tests/fuzz_library.o
+	clang -fsanitize=fuzzer,address,undefined -o $@ $^ -lm
+# With a planted mistake, which has to be found.
+build/fuzz/tests/fuzz_planted.o: tests/fuzz_library.c
+	@mkdir -p $(@D)
+	clang $(FUZZ_FLAGS) -DPLANTED=1 -MMD -MP -c $< -o $@
+build/fuzz/planted: $(LIBRARY_SOURCES:%.c=build/fuzz/%.o) build/fuzz/tests/fuzz_planted.o
+	clang -fsanitize=fuzzer,address,undefined -o $@ $^ -lm
+fuzz: $(FUZZ) build/fuzz/planted ## libFuzzer with sanitizers on the library's entry, FUZZ_SECONDS=60 (needs clang)
+	@FUZZ_SECONDS=$(FUZZ_SECONDS) $(PYTHON) tests/test_fuzz.py
 
 setup: ## install what all the commands need and is missing (Debian 12)
 	@scripts/setup all

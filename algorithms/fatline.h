@@ -108,8 +108,8 @@ struct fatline_overlap {
 
 /* Every solution lies in the rectangle of some crossing or in t_outer x s_outer of some overlap.  Crossings
  * are sorted by (t_lo, s_lo).  Two solutions at one point, where a curve crosses itself, are two.  Exchanging
- * f and g, and multiplying all coordinates by a power of two (short of overflow and underflow), changes no
- * bit but what that changes. */
+ * two different curves, and multiplying all coordinates by a power of two (short of overflow and underflow),
+ * changes no bit but what that changes. */
 struct fatline_answer {
     enum fatline_outcome outcome;
     const char *error; /* NULL unless INVALID */

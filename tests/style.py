@@ -25,7 +25,7 @@ MAY_INCLUDE = {
     "intersect": ("core/", "bezier.h", "batch.h", "crossings.h"),
     "curvature": ("core/", "curvature/", "bezier.h", "region.h", "list.h"),
     "library": ("core/", "library/", "bezier.h", "batch.h", "path.h", "region.h", "fatline.h"),
-    "paths": ("core/", "paths/", "bezier.h", "path.h"),
+    "paths": ("core/", "paths/", "bezier.h", "batch.h", "path.h"),
     "": ("core/", "bezier.h", "batch.h", "region.h", "list.h", "crossings.h"),
 }
 # The loop of the cell algorithms belongs to core/ though it speaks of problems and crossings.

@@ -1,0 +1,102 @@
+#!/usr/bin/python3
+"""libFuzzer with address and undefined-behaviour sanitizers on the library's entry, tests/fuzz_library.c.  Prints TAP.
+
+It begins with a few hundred ordinary pairs and those that were worth keeping before (build/fuzz/corpus), and goes on for
+$FUZZ_SECONDS (60).  Before that, the same program with a planted mistake has to find it.  What fails is kept in
+build/fuzz/ and can be run again: build/fuzz/library FILE."""
+
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+FUZZ = ROOT / "build/fuzz"
+SECONDS = int(os.environ.get("FUZZ_SECONDS", "60"))
+OPTIONS = ["-len_control=0", "-max_len=1024", "-timeout=20", "-print_final_stats=1", "-seed=1"]
+PLANTED_SECONDS = 60  # it takes one
+
+
+def seed(chance):
+    """The bytes of a pair of curves of low degree: small dyadic control points, now and then weights, or f again."""
+    n, m = chance.randint(1, 4), chance.randint(1, 4)
+    kinds = chance.choice([0, 0, 0, 3, 12, 15])
+    like = chance.choice([0, 0, 0, 0, 192, 193, 194, 195])
+    out = [n, m, 0, kinds, like]
+    for degree, rational in ((n, kinds % 4 == 3), (m, kinds // 4 % 4 == 3)):
+        for i in range(34):
+            if rational and i <= degree:
+                out += [0, chance.randint(1, 127)]
+            if i <= degree:
+                out += [0, chance.randint(0, 255), 0, chance.randint(0, 255)]
+        if like >= 192:
+            break
+    if like >= 194:
+        out += [chance.randint(0, 2 * n + 1), 0, chance.randint(0, 255)]
+    return bytes(out + [40, 255])
+
+
+def plant(folder, count):
+    chance = random.Random(1)
+    folder.mkdir(parents=True, exist_ok=True)
+    for i in range(count):
+        (folder / f"seed{i}").write_bytes(seed(chance))
+
+
+def fuzz(program, seconds, *folders):
+    """What it wrote, and its status: 0 if it found nothing."""
+    command = ["nice", FUZZ / program, *OPTIONS, f"-max_total_time={seconds}", f"-artifact_prefix={FUZZ}/", *folders]
+    ended = subprocess.run([str(c) for c in command], capture_output=True, text=True, errors="replace")
+    return ended.stderr, ended.returncode
+
+
+def planted_mistake(folder):
+    plant(folder / "seeds", 100)
+    told, status = fuzz("planted", PLANTED_SECONDS, folder / "seeds")
+    for left in FUZZ.glob("crash-*"):
+        if left.name in told:
+            left.unlink()
+    assert status != 0 and "does not hold" in told, "a UNIQUE that is none was not found:\n" + told[-2000:]
+
+
+def library(folder):
+    plant(folder / "more", 300)
+    (FUZZ / "corpus").mkdir(exist_ok=True)
+    told, status = fuzz("library", SECONDS, FUZZ / "corpus", folder / "more")
+    figures = dict(re.findall(r"stat::(\w+):\s+(\d+)", told))
+    coverage = re.findall(r"cov: (\d+)", told)
+    print(f"# {figures.get('number_of_executed_units', '?')} inputs in {SECONDS} s, {coverage[-1] if coverage else '?'} "
+          f"branches seen, at most {figures.get('peak_rss_mb', '?')} MB", flush=True)
+    lines = [line for line in told.splitlines() if re.search("does not hold|ERROR|SUMMARY|runtime error|Test unit", line)]
+    assert status == 0, "\n".join(lines) or told[-2000:]
+
+
+def main():
+    if not shutil.which("clang"):
+        print("clang is not installed")
+        return 77
+    built = subprocess.run(["make", "build/fuzz/library", "build/fuzz/planted"], cwd=ROOT, capture_output=True, text=True,
+                           env={k: v for k, v in os.environ.items() if not k.startswith("MAKE")})
+    if built.returncode != 0:
+        print("clang does not build it: " + built.stderr.strip().splitlines()[-1])
+        return 77 if "fuzzer" in built.stderr else 1
+    failed = 0
+    for number, test in enumerate((planted_mistake, library), 1):
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                test(Path(folder))
+                print(f"ok {number} - {test.__name__}", flush=True)
+            except AssertionError as reason:
+                failed += 1
+                print(f"not ok {number} - {test.__name__}", flush=True)
+                print("# " + str(reason).replace("\n", "\n# "))
+    print("1..2")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
