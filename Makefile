@@ -122,7 +122,7 @@ define test_rules
 build/$(1)/tests/test_%: build/$(1)/tests/test_%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
 # Cases to be judged by exact algebra come from the generator.
-build/$(1)/tests/test_certified: | build/double/fatline-generate
+build/$(1)/tests/test_certified build/$(1)/tests/test_decide build/$(1)/tests/test_strict: | build/double/fatline-generate
 # The watched algorithms against the others, whose answers a program of its own prints.
 build/$(1)/tests/answers: build/$(1)/tests/answers.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)

@@ -322,6 +322,7 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     struct crossing c = {t, s, whole ? CLUSTER : CANDIDATE, whole ? at_most : 0, 0};
     if (whole && exists) {
         c.standing = near_end(&t) || near_end(&s) ? END : UNIQUE;
+        c.multiplicity = c.standing == UNIQUE && at_most == 1;
     }
     const real shorter = (real)1 / 16;
     /* two solutions are told apart, or from none, at any tolerance */
