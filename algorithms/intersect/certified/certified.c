@@ -210,9 +210,9 @@ static enum verdict settle(struct solver *z, struct pair *at)
  * the places where they meet fill thousands of records. */
 static void look_for_overlaps(struct solver *z)
 {
-    enum { TIMES = 8 };
-    int looser = z->next_look <= FIRST_LOOK ? 0 : z->next_look <= TIMES * FIRST_LOOK ? 7 : 16;
-    z->next_look = TIMES * (z->next_look < FIRST_LOOK ? (int)FIRST_LOOK : z->next_look);
+    const int times = 8, first = FIRST_LOOK;
+    int looser = z->next_look <= first ? 0 : z->next_look <= times * first ? 7 : 16;
+    z->next_look = times * (z->next_look < first ? first : z->next_look);
     if (overlap_find(z, looser)) {
         z->out->count = 0;
         z->out->merged = false;
