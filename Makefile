@@ -153,7 +153,7 @@ JOBS ?= $(shell nproc)
 AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
-.PHONY: peers-table comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
+.PHONY: certified-masses peers-table comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
         instructions against-lib2geom fuzz format clean help
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
@@ -184,6 +184,9 @@ claim-%: all
 
 peers-table: all ## time and judge the other libraries that are installed beside ours (FULL=1: on all sets, 15 minutes)
 	@$(PYTHON) scripts/peers $(if $(filter-out 0,$(FULL)),--full)
+
+certified-masses: all ## a million random pairs and 136,000 adversarial ones, judged (10 minutes; results/tables/certified.md)
+	@$(PYTHON) scripts/certified_masses --jobs $(JOBS)
 
 comparisons: ## profiles, growth, accuracy, every two algorithms, from results/raw/
 	@$(PYTHON) scripts/comparisons.py

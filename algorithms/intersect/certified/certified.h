@@ -193,7 +193,8 @@ void level_give_up(struct solver *z);
 
 /* ---- overlap.c ---- */
 
-/* Looks for a shared arc: arcs that are apart by rounding, times 2^looser; true: one was added to the records. */
+/* Looks for a shared arc: arcs that are apart by rounding, times 2^looser; true: one was added to the
+ * records. */
 bool overlap_find(struct solver *z, int looser);
 
 /* ---- point.c ---- */
