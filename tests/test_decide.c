@@ -100,8 +100,8 @@ static struct count try_family(const char *family, const char *options, int max_
 static const char *some(int count)
 {
     static char options[128];
-    int share = REAL_BITS > 113 ? 8 : REAL_BITS > 53 ? 4 : 1;
-    snprintf(options, sizeof options, "--degree 3 --seed 12 --count %d", count / share);
+    int share = REAL_BITS > 113 ? 16 : REAL_BITS > 53 ? 4 : 1;
+    snprintf(options, sizeof options, "--degree 3 --seed 12 --count %d", (count + share - 1) / share);
     return options;
 }
 
