@@ -136,7 +136,7 @@ define test_rules
 build/$(1)/tests/test_%: build/$(1)/tests/test_%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
 # Cases to be judged by exact algebra come from the generator.
-build/$(1)/tests/test_certified build/$(1)/tests/test_batch: | build/double/fatline-generate
+build/$(1)/tests/test_certified build/$(1)/tests/test_batch build/$(1)/tests/test_decide build/$(1)/tests/test_strict: | build/double/fatline-generate
 # The watched algorithms against the others, whose answers a program of its own prints.
 build/$(1)/tests/answers: build/$(1)/tests/answers.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
@@ -168,7 +168,7 @@ JOBS ?= $(shell nproc)
 AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
-.PHONY: peers-table comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
+.PHONY: certified-masses peers-table comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
         instructions against-lib2geom fuzz format clean help
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
@@ -199,6 +199,9 @@ claim-%: all
 
 peers-table: all ## time and judge the other libraries that are installed beside ours (FULL=1: on all sets, 15 minutes)
 	@$(PYTHON) scripts/peers $(if $(filter-out 0,$(FULL)),--full)
+
+certified-masses: all ## a million random pairs and 136,000 adversarial ones, judged (10 minutes; results/tables/certified.md)
+	@$(PYTHON) scripts/certified_masses --jobs $(JOBS)
 
 comparisons: ## profiles, growth, accuracy, every two algorithms, from results/raw/
 	@$(PYTHON) scripts/comparisons.py
