@@ -153,7 +153,7 @@ JOBS ?= $(shell nproc)
 AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
-.PHONY: peers-table comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
+.PHONY: peers-table regions comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
         instructions against-lib2geom fuzz format clean help
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
@@ -172,9 +172,10 @@ reproduce: setup-reproduce ## set up, build, run the main job and print its tabl
 	$(AFTER_SETUP) all
 	@$(PYTHON) scripts/reproduce $(if $(filter-out 0,$(FULL)),--full)
 
-figures: ## draw results/figures/ from results/raw/
+figures: build/double/fatline-region ## draw results/figures/ from results/raw/, and those of regions
 	@$(PYTHON) scripts/figures.py
 	@$(PYTHON) scripts/convergence_figures.py
+	@$(PYTHON) scripts/region_figures.py
 
 claims: all ## measure every claim of scripts/claims.toml and write results/claims.md (5 minutes)
 	@$(PYTHON) scripts/claims.py
@@ -185,6 +186,9 @@ claim-%: all
 peers-table: all ## time and judge the other libraries that are installed beside ours (FULL=1: on all sets, 15 minutes)
 	@$(PYTHON) scripts/peers $(if $(filter-out 0,$(FULL)),--full)
 
+regions: build/double/fatline-region ## judge random regions and time regions (1 minute; FULL=1: 10,000 random ones)
+	@$(PYTHON) scripts/regions.py $(if $(filter-out 0,$(FULL)),--full)
+
 comparisons: ## profiles, growth, accuracy, every two algorithms, from results/raw/
 	@$(PYTHON) scripts/comparisons.py
 
@@ -193,6 +197,7 @@ trials: all build/slower/double/fatline-passes ## can doctor and compare be trus
 
 instructions: all ## count the instructions of each algorithm under callgrind
 	@scripts/instructions
+	@scripts/region_instructions
 
 against-lib2geom: all ## time bezier_clipping beside lib2geom's clipping
 	@scripts/against_lib2geom

@@ -49,6 +49,7 @@ static void made_bezier(struct made *m, int degree, int i, int sign)
     m->p.interval.lo = 0;
     m->p.interval.hi = 1;
     m->p.sign = sign;
+    m->p.tolerance = 0; /* zeroed memory is no number at multi */
     m->p.max_steps = REGION_STEPS_MAX;
     made_link(m);
     family_of_point(&m->p.family, i, m->share);
