@@ -113,7 +113,7 @@ programs = build/fatline $(PROGRAMS_ONCE:%=build/double/fatline-%) \
 # ---- tests ---------------------------------------------------------------------------------------------------
 
 # tests/test_X.c is built for each precision, those named here in double only.
-TESTS_ONCE = test_order test_close_up test_referee test_statistics test_clock test_case test_case_mistakes test_random test_row test_exact test_exact_overlap test_exact_invariance test_truth
+TESTS_ONCE = test_region_functions test_order test_close_up test_referee test_statistics test_clock test_case test_case_mistakes test_random test_row test_exact test_exact_overlap test_exact_invariance test_truth
 TESTS = $(patsubst tests/%.c,%,$(wildcard tests/test_*.c))
 tests_double = $(TESTS:%=build/double/tests/%)
 tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-out $(TESTS_ONCE),$(TESTS))))
