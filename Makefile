@@ -153,7 +153,7 @@ JOBS ?= $(shell nproc)
 AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
-.PHONY: peers-table comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
+.PHONY: peers-table peers-contacts comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
         instructions against-lib2geom fuzz format clean help
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
@@ -182,8 +182,11 @@ claims: all ## measure every claim of scripts/claims.toml and write results/clai
 claim-%: all
 	@$(PYTHON) scripts/claims.py '$*'
 
-peers-table: all ## time and judge the other libraries that are installed beside ours (FULL=1: on all sets, 15 minutes)
+peers-table: all ## time and judge the other libraries that are installed beside ours (FULL=1: on all sets, 7 minutes)
 	@$(PYTHON) scripts/peers $(if $(filter-out 0,$(FULL)),--full)
+
+peers-contacts: all ## what decides whether the other libraries get a contact right (1 minute)
+	@$(PYTHON) scripts/peers_contacts
 
 comparisons: ## profiles, growth, accuracy, every two algorithms, from results/raw/
 	@$(PYTHON) scripts/comparisons.py
