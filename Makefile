@@ -171,8 +171,7 @@ AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
 .PHONY: all tests check check-full setup setup-build setup-check setup-reproduce reproduce figures claims peers-table \
-        certified-masses regions comparisons trials instructions against-lib2geom fuzz format clean help
-
+        peers-contacts certified-masses regions comparisons trials instructions against-lib2geom fuzz format clean help
 all: $(programs) peers-found ## build everything: build/fatline and its programs
 
 tests: $(programs) $(library) $(if $(shell command -v clang),$(FUZZ) build/fuzz/planted) peers-found build/slower/double/fatline-passes $(tests_double) $(tests_others) ## build everything and the tests
@@ -200,11 +199,15 @@ claims: all ## measure every claim of scripts/claims.toml and write results/clai
 claim-%: all
 	@$(PYTHON) scripts/claims.py '$*'
 
-peers-table: all ## time and judge the other libraries that are installed beside ours (FULL=1: on all sets, 15 minutes)
+peers-table: all ## time and judge the other libraries that are installed beside ours (FULL=1: on all sets, 7 minutes)
 	@$(PYTHON) scripts/peers $(if $(filter-out 0,$(FULL)),--full)
+
+peers-contacts: all ## what decides whether the other libraries get a contact right (1 minute)
+	@$(PYTHON) scripts/peers_contacts
 
 certified-masses: all ## a million random pairs and 136,000 adversarial ones, judged (10 minutes; results/tables/certified.md)
 	@$(PYTHON) scripts/certified_masses --jobs $(JOBS)
+
 regions: build/double/fatline-region ## judge random regions and time regions (1 minute; FULL=1: 10,000 random ones)
 	@$(PYTHON) scripts/regions.py $(if $(filter-out 0,$(FULL)),--full)
 
