@@ -22,7 +22,7 @@ PRECISIONS = double quad multi
 # ---- what is built from what ---------------------------------------------------------------------------------
 
 COMMON_MODULES = case case_fields case_expected number random row exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter exact_answer json_text truth_compare referee referee_truth referee_place referee_pair referee_krawczyk referee_cells region_case $(COMMON_EXTRA)
-REAL_MODULES   = real_text problem answer judge judge_points guard judge_groups judge_curves judge_overlaps check_options check_case check_table check_estimate check_worker algorithms_named external solve_options answer_table clock case_set instructions time_worker contestant compare_builds compare_files timing timing_work timing_rows time_family time_options \
+REAL_MODULES   = real_text problem answer judge judge_points guard judge_groups judge_curves judge_overlaps check_options check_case check_table check_estimate check_worker algorithms_named external solve_options answer_table clock case_set instructions time_worker contestant compare_builds compare_files timing batch_set timing_work timing_rows time_family time_options \
                  planted_roots measuring path order_measure lemma_reduction lemma_cut \
                  region_problem region_answer region_check region_check_expected region_check_sample region_sample region_options \
                  path_set path_random path_svg path_arc path_read path_job path_rows path_options path_boxes path_timing
@@ -123,7 +123,7 @@ define test_rules
 build/$(1)/tests/test_%: build/$(1)/tests/test_%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
 # Cases to be judged by exact algebra come from the generator.
-build/$(1)/tests/test_certified: | build/double/fatline-generate
+build/$(1)/tests/test_certified build/$(1)/tests/test_batch: | build/double/fatline-generate
 # The watched algorithms against the others, whose answers a program of its own prints.
 build/$(1)/tests/answers: build/$(1)/tests/answers.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)

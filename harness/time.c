@@ -134,7 +134,12 @@ static void pin(int cpu)
     }
 }
 
-/* Starts the external programs; the contenders are the algorithms in order, then these. */
+static int contenders(const struct time_settings *s)
+{
+    return s->algorithms.count + s->batch + s->externals + !s->no_floor;
+}
+
+/* Starts the external programs; the contenders are the algorithms in order, the batch, then these. */
 static void line_up(const struct time_settings *s, struct external *external, struct contender *contender)
 {
     int n = 0;
@@ -142,6 +147,12 @@ static void line_up(const struct time_settings *s, struct external *external, st
     for (int i = 0; i < s->algorithms.count; i++, n++) {
         contender[n].name = s->algorithms.at[i]->name;
         contender[n].algorithm = s->algorithms.at[i];
+    }
+    if (s->batch) {
+        contender[n].name = s->batch_name;
+        contender[n].algorithm = intersector_find("certified");
+        contender[n].variant = s->variant;
+        contender[n++].batch = true;
     }
     for (int i = 0; i < s->externals; i++, n++) {
         const char *error = external_start(&external[i], s->external[i], s->timeout, s->plan.tolerance);
@@ -173,7 +184,7 @@ static const struct intersector *const nobody[] = {NULL};
 
 static int run(const struct time_settings *s, const struct case_set *set, const struct resume *resume)
 {
-    int n = s->algorithms.count + s->externals + !s->no_floor, baseline = -1, timed;
+    int n = contenders(s), baseline = -1, timed;
     struct external *external = (struct external *)calloc(s->externals + 1, sizeof *external);
     struct contender *contender = (struct contender *)calloc(n, sizeof *contender);
     struct timing_memory memory;
@@ -233,7 +244,7 @@ static char *group_of(const json_t *row)
 /* Rows, or a table; what disturbed the clock is said at the end. */
 static int measure(int argc, char **argv, const struct time_settings *s, const struct case_set *set)
 {
-    struct resume_rule rule = {group_of, s->algorithms.count + s->externals + !s->no_floor};
+    struct resume_rule rule = {group_of, contenders(s)};
     struct resume resume;
     struct noise noise;
     int status = 0;

@@ -56,6 +56,7 @@ enum {
     FILTER,
     DRY_RUN,
     COUNT,
+    BATCH,
     NO_FLOOR
 };
 
@@ -70,6 +71,13 @@ static const struct argp_option options[] = {
     {"forgive", FORGIVE, 0, 0, "time who misses roots too, on the pairs that it gets right", 0},
     {"single", SINGLE, 0, 0, "time each pair by itself, as a family of its own (protocol \"single\")", 0},
     {"count", COUNT, "WHAT", 0, "count `instructions` too, with valgrind, on 24 of the pairs", 0},
+    {"batch", BATCH, "VARIANT", OPTION_ARG_OPTIONAL,
+     "time `certified_batch` too: all pairs of a family in one call of the batch interface (polynomial "
+     "curves of "
+     "degree 1 to 3 over [0, 1]; protocol \"batch\"); VARIANT is portable, avx2 or avx512, else the best "
+     "that "
+     "the machine has",
+     0},
     {"no-floor", NO_FLOOR, 0, 0, "without the yardstick", 0},
     {"filter", FILTER, "REGEX", 0, "only the cases whose id matches this extended regular expression", 0},
     {"dry-run", DRY_RUN, 0, 0, "say what would be timed and about how long it would take", 0},
@@ -145,9 +153,25 @@ static void add_algorithms(struct argp_state *state, struct time_settings *s, co
         argp_error(state, "%s", error);
 }
 
+static void choose_variant(struct argp_state *state, struct time_settings *s, const char *text)
+{
+    static const char *const names[] = {"", "portable", "avx2", "avx512"};
+    int k = 0;
+
+    while (text && k < 4 && (k == 0 || strcmp(text, names[k])))
+        k++;
+    if (k == 4)
+        argp_error(state, "--batch: '%s', expected portable, avx2 or avx512", text);
+    if (!batch_has((enum batch_variant)k))
+        argp_error(state, "--batch: this machine, or precision, has no %s", text);
+    s->batch = true;
+    s->variant = (enum batch_variant)k;
+    snprintf(s->batch_name, sizeof s->batch_name, "certified_batch%s%s", k ? "_" : "", names[k]);
+}
+
 static void finish(struct argp_state *state, struct time_settings *s)
 {
-    if (!s->algorithms.count && !s->externals)
+    if (!s->algorithms.count && !s->externals && !s->batch)
         add_algorithms(state, s, "all");
     if (s->baseline)
         add_algorithms(state, s, s->baseline);
@@ -204,6 +228,9 @@ static error_t parse(int key, char *text, struct argp_state *state)
         if (strcmp(text, "instructions"))
             argp_error(state, "--count: '%s', expected instructions", text);
         s->count_instructions = true;
+        return 0;
+    case BATCH:
+        choose_variant(state, s, text);
         return 0;
     case PIN:
         s->cpu = !strcmp(text, "auto")  ? last_cpu()

@@ -15,6 +15,9 @@ struct time_settings {
     const char *output, *filter; /* NULL: standard output; all cases */
     int max_steps, cpu;          /* cpu -1: none */
     double timeout;
+    bool batch;
+    enum batch_variant variant;
+    char batch_name[32];
     bool human, single, resume, dry_run, count_instructions, no_floor;
 };
 

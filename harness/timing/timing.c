@@ -78,14 +78,14 @@ static void judge_all(struct work *work, const struct timing_plan *plan, struct 
 {
     for (int k = 0; k < r->contenders; k++) {
         if (work_is_program(work[k].contender) && r->pairs > 0)
-            work_ask(&work[k], work[k].at[r->index[0]]); /* starts it, which is not the pair's own time */
+            work_ask(&work[k], r->index[0]); /* starts it, which is not the pair's own time */
         for (int i = 0; i < r->pairs; i++) {
             const struct loaded_case *pair = work[k].at[r->index[i]];
             enum result result = work[k].contender->limit ? GOOD : REFUSED;
 
             if (!work[k].contender->left_out && result != GOOD && work[k].failures < PATIENCE) {
                 double start = clock_now(true);
-                struct answer a = work_ask(&work[k], pair);
+                struct answer a = work_ask(&work[k], r->index[i]);
 
                 r->ns[k * r->pairs + i] = clock_now(true) - start;
                 result = rate(pair, &a, plan);
@@ -177,7 +177,7 @@ static double mean_steps(struct work *w, int pairs)
     double sum = 0;
 
     for (int i = 0; i < pairs; i++)
-        sum += work_ask(w, w->at[w->index[i]]).steps;
+        sum += work_ask(w, w->index[i]).steps;
     return sum / pairs;
 }
 
@@ -278,6 +278,7 @@ int timing_run(int count, const struct loaded_case *const *at, int n, const stru
         work[k].heartbeat = plan->heartbeat;
         work[k].number = k;
         work[k].index = common;
+        work_begin(&work[k], count);
     }
     judge_all(work, plan, &r, timing);
     all = choose(&r, work, plan, timing, common);
@@ -289,6 +290,8 @@ int timing_run(int count, const struct loaded_case *const *at, int n, const stru
         common[i] = r.index[common[i]];
     if (pairs > 0)
         measure(work, &r, plan, pairs, timing);
+    for (int k = 0; k < n; k++)
+        work_end(&work[k]);
     free(r.in);
     free(r.ns);
     free(r.result);

@@ -15,12 +15,16 @@
 #include "../cases/case_set.h"
 #include "clock.h"
 #include "../run/external.h"
+#include "batch_set.h"
 
-/* Who takes part: an algorithm, or a program over a pipe if algorithm is NULL. */
+/* Who takes part: an algorithm, or a program over a pipe if algorithm is NULL.  batch: all pairs in one call,
+ * of `algorithm` by the batch interface (algorithms/batch.h). */
 struct contender {
     const char *name;
     const struct intersector *algorithm;
     struct external *external;
+    bool batch;
+    enum batch_variant variant;
     bool limit;           /* the yardstick: not judged, timed on whatever the others are */
     const char *left_out; /* why it does not take part in this family; NULL: it does */
 };
@@ -62,7 +66,8 @@ struct timing {
 };
 
 /* Of the clock that measured: "stream" (CPU time of this process over the whole set), "inside" (that of
- * another process, by its own clock, over the whole set), "pipe" (wall-clock time around a pipe). */
+ * another process, by its own clock, over the whole set), "pipe" (wall-clock time around a pipe), "batch"
+ * (CPU time of this process for whole batches). */
 const char *contender_protocol(const struct contender *c);
 
 /* timing[k] is contender k's; timing_clear frees what is inside.  left_out: pairs that nobody was judged on,

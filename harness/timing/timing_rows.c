@@ -207,9 +207,10 @@ static void write_table_line(FILE *stream, const struct timing_report *r, int k)
             outliers.mild + outliers.severe, t->steps, time_text(t->ns_max, slowest));
     write_ratios(stream, r, k);
     fprintf(stream, "  %s%s\n", t->worst_id,
-            !strcmp(protocol, "stream") ? ""
-            : !strcmp(protocol, "pipe") ? " (over a pipe)"
-                                        : " (by its own clock)");
+            !strcmp(protocol, "stream")  ? ""
+            : !strcmp(protocol, "pipe")  ? " (over a pipe)"
+            : !strcmp(protocol, "batch") ? " (in a batch of its own)"
+                                         : " (by its own clock)");
 }
 
 void timing_table_write(FILE *stream, const struct timing_report *r)

@@ -14,7 +14,7 @@ bool work_is_program(const struct contender *c)
 
 const char *contender_protocol(const struct contender *c)
 {
-    return !c->algorithm ? "pipe" : work_is_program(c) ? "inside" : "stream";
+    return !c->algorithm ? "pipe" : c->batch ? "batch" : work_is_program(c) ? "inside" : "stream";
 }
 
 static void beat(const struct work *w)
@@ -25,9 +25,25 @@ static void beat(const struct work *w)
     }
 }
 
-struct answer work_ask(struct work *w, const struct loaded_case *pair)
+void work_begin(struct work *w, int count)
+{
+    if (w->contender->batch) {
+        beat(w);
+        batch_set_make(&w->judged, count, w->at, NULL, w->contender->variant);
+        batch_set_solve(&w->judged);
+    }
+}
+
+void work_end(struct work *w)
+{
+    batch_set_clear(&w->judged);
+    batch_set_clear(&w->timed);
+}
+
+struct answer work_ask(struct work *w, int i)
 {
     struct answer a;
+    const struct loaded_case *pair = w->at[i];
     const struct intersector *algorithm = w->contender->algorithm;
 
     beat(w);
@@ -44,6 +60,10 @@ struct answer work_ask(struct work *w, const struct loaded_case *pair)
     a.algorithm = algorithm->name;
     a.tolerance = pair->owned.problem.tolerance;
     a.points_only = algorithm->points_only;
+    if (w->contender->batch) {
+        a.outcome = batch_set_answer(&w->judged, i, a.crossings);
+        return a;
+    }
     a.outcome = guard_solve(&pair->owned.problem, algorithm, &w->memory->workspace, a.crossings);
     a.steps = w->memory->workspace.steps;
     return a;
@@ -62,9 +82,18 @@ static void solve_pairs(void *context, int first, int last)
         if (algorithm)
             problem_solve(&pair->owned.problem, algorithm, &w->memory->workspace, w->memory->crossings);
         else
-            work_ask(w, pair);
+            work_ask(w, w->index[i]);
         clock_keep(w->memory->crossings);
     }
+}
+
+static void solve_batch(void *context, int first, int last)
+{
+    struct work *w = (struct work *)context;
+
+    beat(w);
+    batch_set_run(&w->timed, first, last);
+    clock_keep(w->timed.answer.record);
 }
 
 bool work_hand_over(struct work *w, int pairs)
@@ -104,7 +133,11 @@ struct clock_task work_task(struct work *w, int pairs)
 {
     struct clock_task task = {pairs, solve_pairs, w, !w->contender->algorithm, NULL, NULL};
 
-    if (work_is_program(w->contender)) {
+    if (w->contender->batch) {
+        batch_set_make(&w->timed, pairs, w->at, w->index, w->contender->variant);
+        batch_set_solve(&w->timed);
+        task.run = solve_batch;
+    } else if (work_is_program(w->contender)) {
         task.timed = time_inside;
         task.timed_each = each_inside;
     }
