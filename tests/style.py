@@ -24,8 +24,8 @@ MAY_INCLUDE = {
     "core": ("core/",),
     "intersect": ("core/", "bezier.h", "crossings.h"),
     "curvature": ("core/", "curvature/", "bezier.h", "region.h", "list.h"),
-    "paths": ("core/", "paths/", "bezier.h", "path.h"),
-    "": ("core/", "bezier.h", "region.h", "list.h", "crossings.h"),
+    "paths": ("core/", "paths/", "batch.h", "bezier.h", "path.h"),
+    "": ("core/", "batch.h", "bezier.h", "region.h", "list.h", "crossings.h"),
 }
 # The loop of the cell algorithms belongs to core/ though it speaks of problems and crossings.
 MAY_INCLUDE_OF = {"algorithms/core/cells." + suffix: ("core/", "bezier.h", "crossings.h") for suffix in "ch"}

@@ -270,6 +270,37 @@ static void pairs_are_all(void **state)
     }
 }
 
+/* Every segment of a meets every one of b in nine places: more records than a batch of pairs has room for. */
+static void room_is_found(void **state)
+{
+    const real across[4] = {-1, (real)-1 / 3, (real)1 / 3, 1}, swing[4] = {-9, 45, -45, 9};
+    const int copies = REAL_BITS > 113 ? 3 : REAL_BITS > 53 ? 12 : 40;
+    struct path_set set = {0, 0, NULL};
+    struct path_job job;
+    (void)state;
+    for (int side = 0; side < 2; side++) {
+        struct path_draft d;
+        path_draft_begin(&d, "swings");
+        for (int k = 0; k < copies; k++) {
+            real c[8];
+            for (int i = 0; i < 4; i++) {
+                c[4 * side + i] = across[i];
+                c[4 - 4 * side + i] = swing[i] / 8 + (real)k / 4096;
+            }
+            add(&d, 3, c);
+        }
+        path_draft_end(&d, &set);
+    }
+    job_of(&job, &set.at[0], &set.at[1]);
+    assert_int_equal(job.records.count, 9 * copies * copies);
+    for (int r = 0; r < job.records.count; r++) {
+        assert_int_equal(job.records.at[r].a.first, r / (9 * copies));
+        assert_int_equal(job.records.at[r].standing, UNIQUE);
+    }
+    path_job_clear(&job);
+    path_set_clear(&set);
+}
+
 /* ---- cut, turned, exchanged ---- */
 
 /* Parameter of the whole curve of a place on one of its `count` equal pieces. */
@@ -620,6 +651,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_pair_is_lost),
         cmocka_unit_test(pairs_are_all),
+        cmocka_unit_test(room_is_found),
         cmocka_unit_test(cutting_changes_nothing),
         cmocka_unit_test(moves_change_nothing),
         cmocka_unit_test(loops_of_cubics),

@@ -301,89 +301,14 @@ static void settle_groups(struct joining *j)
     }
 }
 
-/* ---- sorting ---- */
-
-static bool span_precedes(const struct path_span *p, const struct path_span *q)
-{
-    return p->first != q->first ? p->first < q->first : p->lo < q->lo;
-}
-
-static bool precedes(const struct path_record *p, const struct path_record *q)
-{
-    if (span_precedes(&p->a, &q->a) || span_precedes(&q->a, &p->a)) {
-        return span_precedes(&p->a, &q->a);
-    }
-    if (span_precedes(&p->b, &q->b) || span_precedes(&q->b, &p->b)) {
-        return span_precedes(&p->b, &q->b);
-    }
-    return p->a.hi != q->a.hi ? p->a.hi < q->a.hi : p->b.hi < q->b.hi;
-}
-
-static void sort_part(const struct path_record *record, int *order, int count)
-{
-    int gap = 1;
-    while (gap < count / 3) {
-        gap = 3 * gap + 1;
-    }
-    for (; gap > 0; gap /= 3) {
-        for (int i = gap; i < count; i++) {
-            int r = order[i], k = i;
-            for (; k >= gap && precedes(&record[r], &record[order[k - gap]]); k -= gap) {
-                order[k] = order[k - gap];
-            }
-            order[k] = r;
-        }
-    }
-}
-
-/* record[k] becomes what record[order[k]] was. */
-static void permute(struct path_record *record, int *order, int count)
-{
-    for (int k = 0; k < count; k++) {
-        if (order[k] < 0) {
-            continue;
-        }
-        struct path_record first = record[k];
-        int at = k;
-        while (order[at] != k) {
-            int from = order[at];
-            record[at] = record[from];
-            order[at] = -1;
-            at = from;
-        }
-        record[at] = first;
-        order[at] = -1;
-    }
-}
-
-/* By segments of the first path into buckets, and each of these by the rest. */
-static void sort_records(struct joining *j)
-{
-    int segments = j->z->a->count;
-    for (int i = 0; i <= segments; i++) {
-        j->bucket[i] = 0;
-    }
-    for (int r = 0; r < j->records; r++) {
-        j->bucket[j->record[r].a.first + 1]++;
-    }
-    for (int i = 0; i < segments; i++) {
-        j->bucket[i + 1] += j->bucket[i];
-    }
-    for (int r = 0; r < j->records; r++) {
-        j->order[j->bucket[j->record[r].a.first]++] = r;
-    }
-    for (int i = 0, from = 0; i < segments; from = j->bucket[i++]) {
-        sort_part(j->record, j->order + from, j->bucket[i] - from);
-    }
-    permute(j->record, j->order, j->records);
-}
+/* ---- all ---- */
 
 /* Of a path against itself the earlier span comes first. */
 static void turn_spans(const struct joining *j)
 {
     for (int r = 0; j->z->self && r < j->records; r++) {
         struct path_record *p = &j->record[r];
-        if (p->overlap < 0 && span_precedes(&p->b, &p->a)) {
+        if (p->overlap < 0 && path_span_precedes(&p->b, &p->a)) {
             struct path_span s = p->a;
             p->a = p->b;
             p->b = s;
@@ -429,6 +354,6 @@ void path_records_join(const struct path_solver *z, struct path_records *all, vo
     settle_groups(&j);
     drop_gone(&j);
     turn_spans(&j);
-    sort_records(&j);
+    path_records_sort(j.record, j.records, z->a->count, j.bucket, j.order);
     all->count = j.records;
 }

@@ -24,4 +24,11 @@ bool path_runs_straight(const struct curve *c, const struct curve *d);
 bool path_joint_prove(const struct path *a, const struct path *b, struct path_span *span_a,
                       struct path_span *span_b);
 
+/* ---- sort.c ---- */
+
+bool path_span_precedes(const struct path_span *p, const struct path_span *q);
+/* By the place on the first path of `segments` segments, then on the second.  bucket: segments + 1 numbers;
+ * order: `records`. */
+void path_records_sort(struct path_record *record, int records, int segments, int *bucket, int *order);
+
 #endif
