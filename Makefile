@@ -155,7 +155,7 @@ AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
 .PHONY: peers-table comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
-        instructions against-lib2geom fuzz format clean help
+        instructions paths against-lib2geom fuzz format clean help
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
 
@@ -194,6 +194,9 @@ trials: all build/slower/double/fatline-passes ## can doctor and compare be trus
 
 instructions: all ## count the instructions of each algorithm under callgrind
 	@scripts/instructions
+
+paths: build/fatline build/double/fatline-paths peers-found ## time paths of 100 to 1,000,000 segments (2 minutes)
+	@$(PYTHON) scripts/paths
 
 against-lib2geom: all ## time bezier_clipping beside lib2geom's clipping
 	@scripts/against_lib2geom

@@ -20,14 +20,14 @@ enum {
 };
 
 /* `count` curves over [0, 1].  points and degree: the same as a table of batch.h, where degree[i] is 0 if
- * curve i is rational or of a degree above 3 (its eight numbers are not looked at); both NULL if there is no
- * table, and all takes longer.  next[i]: the segment that begins where i ends, or one of the above;
- * before[i]: the segment whose next is i, or PATH_END.  Both as path_link makes them. */
+ * curve i is rational, of a degree above 3 or passed over (its eight numbers are not looked at); both NULL if
+ * there is no table, and all takes longer.  next[i]: the segment that begins where i ends, or one of the
+ * above; before[i]: the segment whose next is i, or PATH_END.  Both as path_link makes them. */
 struct path {
     int count;
     const struct curve *segment;
     const real *points;
-    const unsigned char *degree;
+    unsigned char *degree;
     int *next, *before;
 };
 
@@ -130,6 +130,7 @@ struct path_records {
     struct path_record *at;
     struct path_overlap *overlap;
     int count, room, overlaps, overlap_room;
+    const int *order; /* at[order[0]], at[order[1]], ...: of path_records_join */
 };
 
 struct path_memory; /* of a solver */
@@ -172,9 +173,9 @@ int path_solve(struct path_solver *z, const struct path_pair *pair, int count, s
 /* The same for the segments first..last-1 of a path against itself, each alone: where it crosses itself. */
 int path_solve_loops(struct path_solver *z, int first, int last, struct path_records *out);
 
-/* Of all records, those at joints that may hold the same solution become one, and all are sorted by the place
- * on the first path, then on the second.  numbers: path_join_size bytes, count_b = 0 for a path against
- * itself. */
+/* Of all records, those at joints that may hold the same solution become one; all->order has all that are
+ * left, sorted by the place on the first path, then on the second.  numbers: path_join_size bytes, where that
+ * order stays; count_b = 0 for a path against itself. */
 size_t path_join_size(int count_a, int count_b, int records);
 void path_records_join(const struct path_solver *z, struct path_records *all, void *numbers);
 

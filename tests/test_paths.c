@@ -232,7 +232,7 @@ static void check_pairs(const struct path_job *job)
                 real t = (c->t.lo + c->t.hi) / 2, s = (c->s.lo + c->s.hi) / 2;
                 expected += !end;
                 for (int r = 0; r < job->records.count && !held; r++) {
-                    const struct path_record *q = &job->records.at[r];
+                    const struct path_record *q = &job->records.at[job->records.order[r]];
                     held = end ? is_in(&q->a, i, t) && is_in(&q->b, j, s) : is_record(q, i, j, c);
                 }
                 if (!held && !(end && c->standing == END))
@@ -240,7 +240,7 @@ static void check_pairs(const struct path_job *job)
             }
         }
     for (int r = 0; r < job->records.count; r++) {
-        const struct path_record *q = &job->records.at[r];
+        const struct path_record *q = &job->records.at[job->records.order[r]];
         bool neighbours = !job->b && (a->next[q->a.first] == q->b.first || q->a.first == q->b.first);
         plain += !neighbours && q->a.lo > 0 && q->a.hi < 1 && q->b.lo > 0 && q->b.hi < 1 &&
                  q->a.first == q->a.last && q->b.first == q->b.last;
@@ -294,8 +294,8 @@ static void room_is_found(void **state)
     job_of(&job, &set.at[0], &set.at[1]);
     assert_int_equal(job.records.count, 9 * copies * copies);
     for (int r = 0; r < job.records.count; r++) {
-        assert_int_equal(job.records.at[r].a.first, r / (9 * copies));
-        assert_int_equal(job.records.at[r].standing, UNIQUE);
+        assert_int_equal(job.records.at[job.records.order[r]].a.first, r / (9 * copies));
+        assert_int_equal(job.records.at[job.records.order[r]].standing, UNIQUE);
     }
     path_job_clear(&job);
     path_set_clear(&set);
@@ -320,7 +320,7 @@ static void check_same(const struct crossings *c, const struct path_job *job, lo
                  c->count);
     memset(used, 0, sizeof used);
     for (int r = 0; r < c->count; r++) {
-        const struct path_record *q = &job->records.at[r];
+        const struct path_record *q = &job->records.at[job->records.order[r]];
         bool found = false;
         assert_int_equal(q->standing, c->at[r].standing == END ? END : UNIQUE);
         for (int k = 0; k < c->count && !found; k++) {
@@ -410,8 +410,9 @@ static void check_exchanged(const struct path_job *job, const struct path_job *o
     for (int r = 0; r < p->count; r++) {
         bool found = false;
         for (int k = 0; k < q->count && !found; k++)
-            found = spans_touch(&p->at[r].a, &q->at[k].b) && spans_touch(&p->at[r].b, &q->at[k].a) &&
-                    p->at[r].standing == q->at[k].standing;
+            found = spans_touch(&p->at[p->order[r]].a, &q->at[q->order[k]].b) &&
+                    spans_touch(&p->at[p->order[r]].b, &q->at[q->order[k]].a) &&
+                    p->at[p->order[r]].standing == q->at[q->order[k]].standing;
         if (!found)
             fail_msg("record %d has no partner where the paths are exchanged", r);
     }
@@ -444,15 +445,15 @@ static void check_moved(const struct path_job *job, const struct path_job *other
     assert_int_equal(p->count, q->count);
     for (int r = 0; r < p->count; r++) {
         bool found = false;
-        const struct path_span *s = &p->at[r].a;
+        const struct path_span *s = &p->at[p->order[r]].a;
         real lo = s->first + s->lo, hi = s->last + s->hi;
         for (int k = 0; k < q->count && !found; k++) {
-            const struct path_span *o = &q->at[k].a;
+            const struct path_span *o = &q->at[q->order[k]].a;
             real olo = reversed ? n - (o->last + o->hi) : o->first + o->lo;
             real ohi = reversed ? n - (o->first + o->lo) : o->last + o->hi;
-            found = same_bits ? lo == olo && hi == ohi && p->at[r].b.lo == q->at[k].b.lo
+            found = same_bits ? lo == olo && hi == ohi && p->at[p->order[r]].b.lo == q->at[q->order[k]].b.lo
                               : lo <= ohi + n * REAL_EPSILON && olo <= hi + n * REAL_EPSILON &&
-                                    p->at[r].standing == q->at[k].standing;
+                                    p->at[p->order[r]].standing == q->at[q->order[k]].standing;
         }
         if (!found)
             fail_msg("record %d has no partner%s", r, reversed ? " on the reversed path" : "");
@@ -528,9 +529,10 @@ static int records_alone(const struct loaded_path *p, struct path_record *first,
     assert_int_equal(job.solver.unsolved, 0);
     assert_int_equal(job.records.overlaps, overlaps);
     for (int r = 0; r < count; r++)
-        assert_true(job.records.at[r].standing == UNIQUE || job.records.at[r].overlap >= 0);
+        assert_true(job.records.at[job.records.order[r]].standing == UNIQUE ||
+                    job.records.at[job.records.order[r]].overlap >= 0);
     if (count > 0)
-        *first = job.records.at[0];
+        *first = job.records.at[job.records.order[0]];
     path_job_clear(&job);
     return count;
 }
@@ -567,7 +569,7 @@ static void loops_of_cubics(void **state)
         job_of(&job, &set.at[0], NULL);
         int count = job.records.count;
         if (count > 0)
-            x = job.records.at[0];
+            x = job.records.at[job.records.order[0]];
         path_job_clear(&job);
         if (count != (inside && !joint))
             fail_msg("run %d, t1 = %d/16, t2 = %d/16: %d records", run, k1, k2, count);
@@ -626,7 +628,8 @@ static void check_squares(int dx, int dy, int crossings, int overlaps)
     polyline(&set, 5, u, v);
     job_of(&job, &set.at[0], &set.at[1]);
     for (int r = 0; r < job.records.count; r++)
-        simple += job.records.at[r].overlap < 0 && job.records.at[r].chain == 0;
+        simple += job.records.at[job.records.order[r]].overlap < 0 &&
+                  job.records.at[job.records.order[r]].chain == 0;
     if (simple != crossings || job.records.overlaps != overlaps)
         fail_msg("squares apart by (%d, %d): %d crossings and %d overlaps, expected %d and %d", dx, dy,
                  simple, job.records.overlaps, crossings, overlaps);

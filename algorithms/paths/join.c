@@ -79,23 +79,43 @@ static void unite(struct path_record *record, int p, int q)
     }
 }
 
-/* Records that reach a joint go on its list, and into `order`. */
-static void list_joints(struct joining *j)
+/* Does either end of the span lie at an end of its segment? */
+static bool is_at_end(const struct path_span *s)
+{
+    return (s->lo == 0) | (s->hi == 1);
+}
+
+/* The records that may reach a joint go into `order`, and the lists of these joints are empty. */
+static void find_reaching(struct joining *j)
 {
     j->reaching = 0;
     for (int r = 0; r < j->records; r++) {
-        bool reaches = false;
-        j->record[r].link = r;
+        struct path_record *p = &j->record[r];
+        p->link = r;
+        if (!is_at_end(&p->a) && !is_at_end(&p->b)) {
+            continue;
+        }
+        j->order[j->reaching++] = r;
+        for (int k = 0; k < 4; k++) {
+            int joint = joint_of(path_of(j->z, k / 2), span_at(p, k / 2), k % 2);
+            if (joint >= 0) {
+                j->head[k / 2][joint] = -1;
+            }
+        }
+    }
+}
+
+static void list_joints(struct joining *j)
+{
+    find_reaching(j);
+    for (int at = 0; at < j->reaching; at++) {
+        int r = j->order[at];
         for (int k = 0; k < 4; k++) { /* entry 4 r + 2 side + end */
             int side = k / 2, joint = joint_of(path_of(j->z, side), span_at(&j->record[r], side), k % 2);
             if (joint >= 0) {
                 j->next[4 * r + k] = j->head[side][joint];
                 j->head[side][joint] = 4 * r + k;
-                reaches = true;
             }
-        }
-        if (reaches) {
-            j->order[j->reaching++] = r;
         }
     }
 }
@@ -316,17 +336,6 @@ static void turn_spans(const struct joining *j)
     }
 }
 
-static void drop_gone(struct joining *j)
-{
-    int kept = 0;
-    for (int r = 0; r < j->records; r++) {
-        if (j->record[r].link >= 0 && kept++ != r) {
-            j->record[kept - 1] = j->record[r];
-        }
-    }
-    j->records = kept;
-}
-
 size_t path_join_size(int count_a, int count_b, int records)
 {
     return (2 * (size_t)count_a + 1 + (size_t)count_b + 5 * (size_t)records) * sizeof(int);
@@ -346,14 +355,10 @@ void path_records_join(const struct path_solver *z, struct path_records *all, vo
     j.next = j.head[0] + joints;
     j.order = j.next + 4 * (size_t)records;
     j.chains = 0;
-    for (int i = 0; i < joints; i++) {
-        j.head[0][i] = -1;
-    }
     list_joints(&j);
     unite_all(&j);
     settle_groups(&j);
-    drop_gone(&j);
     turn_spans(&j);
-    path_records_sort(j.record, j.records, z->a->count, j.bucket, j.order);
-    all->count = j.records;
+    all->count = path_records_sort(j.record, j.records, z->a->count, j.bucket, j.order);
+    all->order = j.order;
 }

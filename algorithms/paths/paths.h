@@ -27,8 +27,9 @@ bool path_joint_prove(const struct path *a, const struct path *b, struct path_sp
 /* ---- sort.c ---- */
 
 bool path_span_precedes(const struct path_span *p, const struct path_span *q);
-/* By the place on the first path of `segments` segments, then on the second.  bucket: segments + 1 numbers;
- * order: `records`. */
-void path_records_sort(struct path_record *record, int records, int segments, int *bucket, int *order);
+/* Those records whose link is not negative, by the place on the first path of `segments` segments, then on
+ * the second: their numbers into order, how many as the value.  bucket: segments + 1 numbers; order:
+ * `records`. */
+int path_records_sort(const struct path_record *record, int records, int segments, int *bucket, int *order);
 
 #endif

@@ -193,13 +193,17 @@ enum kind { NOTHING, IN_BATCH, ALONE };
 static enum kind kind_of(const struct path_solver *z, int i, int j)
 {
     const struct path *a = z->a, *b = z->b;
+    bool plain = a->degree && b->degree && a->degree[i] && b->degree[j];
+    if (plain && !z->self) {
+        return IN_BATCH;
+    }
     if (a->next[i] == PATH_POINT || b->next[j] == PATH_POINT) {
         return NOTHING;
     }
     if (z->self && (a->next[i] == j || a->next[j] == i)) {
         return ALONE;
     }
-    return a->degree && b->degree && a->degree[i] && b->degree[j] ? IN_BATCH : ALONE;
+    return plain ? IN_BATCH : ALONE;
 }
 
 static void solve_alone(struct path_solver *z, int i, int j, struct path_records *out)
@@ -268,7 +272,7 @@ static int solve_some(struct path_solver *z, const struct path_pair *pair, int c
 {
     int looked, gathered = gather(z, pair, count, &looked), done = solve_batch(z, gathered, out);
     looked = done < gathered ? z->memory->number[done] : looked;
-    for (int k = 0; k < looked; k++) {
+    for (int k = 0; looked > done && k < looked; k++) {
         int i = pair[k].i, j = pair[k].j;
         if (kind_of(z, i, j) != ALONE) {
             continue;

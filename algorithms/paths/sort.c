@@ -34,42 +34,24 @@ static void sort_part(const struct path_record *record, int *order, int count)
     }
 }
 
-/* record[k] becomes what record[order[k]] was. */
-static void permute(struct path_record *record, int *order, int count)
-{
-    for (int k = 0; k < count; k++) {
-        if (order[k] < 0) {
-            continue;
-        }
-        struct path_record first = record[k];
-        int at = k;
-        while (order[at] != k) {
-            int from = order[at];
-            record[at] = record[from];
-            order[at] = -1;
-            at = from;
-        }
-        record[at] = first;
-        order[at] = -1;
-    }
-}
-
-void path_records_sort(struct path_record *record, int records, int segments, int *bucket, int *order)
+int path_records_sort(const struct path_record *record, int records, int segments, int *bucket, int *order)
 {
     for (int i = 0; i <= segments; i++) {
         bucket[i] = 0;
     }
     for (int r = 0; r < records; r++) {
-        bucket[record[r].a.first + 1]++;
+        bucket[record[r].a.first + 1] += record[r].link >= 0;
     }
     for (int i = 0; i < segments; i++) {
         bucket[i + 1] += bucket[i];
     }
     for (int r = 0; r < records; r++) {
-        order[bucket[record[r].a.first]++] = r;
+        if (record[r].link >= 0) {
+            order[bucket[record[r].a.first]++] = r;
+        }
     }
     for (int i = 0, from = 0; i < segments; from = bucket[i++]) {
         sort_part(record, order + from, bucket[i] - from);
     }
-    permute(record, order, records);
+    return segments > 0 ? bucket[segments - 1] : 0;
 }
