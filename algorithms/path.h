@@ -113,6 +113,7 @@ struct path_record {
     enum standing standing;
     int at_most;
     bool joint;
+    bool proved; /* beside a joint (joint.c) */
     int chain;
     int overlap; /* its number among the overlaps, or -1 */
     int link;    /* of path_records_join */

@@ -272,7 +272,8 @@ static void merge_group(struct joining *j, int root)
     if (members == 1 && (to->standing == UNIQUE || !single)) {
         return;
     }
-    bool one = single && (meets_at_joints(j, root) || path_joint_prove(j->z->a, j->z->b, &a, &b));
+    bool exact = single && meets_at_joints(j, root);
+    bool one = exact || (single && path_joint_prove(j->z->a, j->z->b, &a, &b));
     for (int r = j->next[4 * root]; r >= 0; r = j->next[4 * r]) {
         j->record[r].link = -1; /* gone */
     }
@@ -280,6 +281,7 @@ static void merge_group(struct joining *j, int root)
     to->b = b;
     to->joint = joint;
     to->chain = 0;
+    to->proved = one && !exact;
     if (one || members > 1) {
         to->standing = one ? UNIQUE : known ? CLUSTER : CANDIDATE;
         to->at_most = one ? 1 : known ? at_most : 0;
@@ -321,6 +323,46 @@ static void settle_groups(struct joining *j)
     }
 }
 
+/* ---- what was found twice ---- */
+
+/* Records of the bucket of a segment that hold nothing but r's solution are gone. */
+static void drop_others(struct joining *j, int r, int segment)
+{
+    for (int k = segment > 0 ? j->bucket[segment - 1] : 0; k < j->bucket[segment]; k++) {
+        struct path_record *q = &j->record[j->order[k]];
+        if (j->order[k] != r && q->link >= 0 && q->overlap < 0 && q->chain == 0 &&
+            path_joint_holds(&j->record[r], q, j->z->self)) {
+            q->link = -1;
+        }
+    }
+}
+
+/* A solution proved beside a joint may also have a record that does not reach the joint.  Returns the records
+ * left. */
+static int drop_doubles(struct joining *j, int count)
+{
+    int kept = 0;
+    for (int k = 0; k < count; k++) {
+        int r = j->order[k];
+        const struct path_record *p = &j->record[r];
+        if (!p->proved || p->link < 0) {
+            continue;
+        }
+        drop_others(j, r, p->a.first);
+        drop_others(j, r, p->a.last);
+        if (j->z->self) {
+            drop_others(j, r, p->b.first);
+            drop_others(j, r, p->b.last);
+        }
+    }
+    for (int k = 0; k < count; k++) {
+        if (j->record[j->order[k]].link >= 0) {
+            j->order[kept++] = j->order[k];
+        }
+    }
+    return kept;
+}
+
 /* ---- all ---- */
 
 /* Of a path against itself the earlier span comes first. */
@@ -359,6 +401,6 @@ void path_records_join(const struct path_solver *z, struct path_records *all, vo
     unite_all(&j);
     settle_groups(&j);
     turn_spans(&j);
-    all->count = path_records_sort(j.record, j.records, z->a->count, j.bucket, j.order);
+    all->count = drop_doubles(&j, path_records_sort(j.record, j.records, z->a->count, j.bucket, j.order));
     all->order = j.order;
 }

@@ -23,6 +23,8 @@ bool path_runs_straight(const struct curve *c, const struct curve *d);
  * the spans given, have exactly one. */
 bool path_joint_prove(const struct path *a, const struct path *b, struct path_span *span_a,
                       struct path_span *span_b);
+/* Is all of q in the region where r, which was proved so, has the only solution? */
+bool path_joint_holds(const struct path_record *r, const struct path_record *q, bool self);
 
 /* ---- sort.c ---- */
 

@@ -74,7 +74,7 @@ static struct path_record *record_new(struct path_records *out)
     struct path_record *r = &out->at[out->count++];
     r->standing = CANDIDATE;
     r->at_most = r->chain = 0;
-    r->joint = false;
+    r->joint = r->proved = false;
     r->overlap = r->link = -1;
     return r;
 }
