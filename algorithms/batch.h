@@ -63,6 +63,7 @@ size_t batch_workspace_size(void);
  * `workspace` has batch_workspace_size() bytes, aligned as malloc aligns. */
 enum outcome batch_solve(const struct batch *b, int first, void *workspace, struct batch_answer *out);
 
-bool batch_has(enum batch_variant variant); /* on this machine, at this precision */
+extern const struct intersector *const batch_algorithm; /* whose answers a batch gives: `certified` */
+bool batch_has(enum batch_variant variant);             /* on this machine, at this precision */
 
 #endif

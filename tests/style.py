@@ -15,17 +15,18 @@ PURE = [p for p in SOURCES if p.parts[0] == "algorithms" and "peers" not in p.pa
 CLANG_FORMAT = 14  # Debian 12's
 
 SYSTEM_HEADERS = {"float.h", "limits.h", "math.h", "quadmath.h", "stdbool.h", "stddef.h", "stdint.h", "string.h"}
-SYSTEM_HEADERS_OF = {"algorithms/core/real_multi.hpp": {"mpfr.h", "gmp.h", "cmath", "cstddef", "cstdint", "cstring",
+SYSTEM_HEADERS_OF = {"algorithms/intersect/certified/lanes.h": {"immintrin.h"},
+                     "algorithms/core/real_multi.hpp": {"mpfr.h", "gmp.h", "cmath", "cstddef", "cstdint", "cstring",
                                                         "cfloat", "climits", "compare", "concepts", "type_traits"}}
 FORBIDDEN_CALLS = re.compile(r"\b(malloc|calloc|realloc|free|alloca|aligned_alloc|printf|fprintf|puts|fopen|fwrite"
                              r"|abort|exit|time|clock|clock_gettime|getenv|rand|random)\s*\(")
 # What each folder of algorithms/ may include, as folders and files of algorithms/.
 MAY_INCLUDE = {
     "core": ("core/",),
-    "intersect": ("core/", "bezier.h", "crossings.h"),
+    "intersect": ("core/", "bezier.h", "batch.h", "crossings.h"),
     "curvature": ("core/", "curvature/", "bezier.h", "region.h", "list.h"),
     "paths": ("core/", "paths/", "batch.h", "bezier.h", "path.h"),
-    "": ("core/", "batch.h", "bezier.h", "region.h", "list.h", "crossings.h"),
+    "": ("core/", "bezier.h", "batch.h", "region.h", "list.h", "crossings.h"),
 }
 # The loop of the cell algorithms belongs to core/ though it speaks of problems and crossings.
 MAY_INCLUDE_OF = {"algorithms/core/cells." + suffix: ("core/", "bezier.h", "crossings.h") for suffix in "ch"}

@@ -332,24 +332,27 @@ static bool is_crossing(int n, int m, const struct path_record *q, const struct 
            x->s.lo <= whole(m, q->b.last, q->b.hi) + REAL_EPSILON;
 }
 
-/* Of pairs of cubics in pieces: as many records as of the whole curves, all simple, at the same parameters.
- */
-static void check_same(const struct crossings *c, const struct path_job *job, long seed)
+/* Of pairs of cubics in pieces: every crossing of the whole curves is there, at the same parameters; and
+ * where all is decided, which may fail where they nearly touch, there are as many records, each simple. */
+static void check_same(const struct crossings *c, const struct path_job *job, long seed, int *undecided)
 {
     int n = job->a->path.count, m = job->b->path.count, count = records_apart(&job->records);
-    bool used[CROSSINGS_MAX];
-    if (count != c->count)
-        fail_msg("run %ld, %d x %d pieces: %d records, expected %d", seed, n, m, count, c->count);
-    memset(used, 0, sizeof used);
+    bool simple = true, seen[CROSSINGS_MAX];
+    memset(seen, 0, sizeof seen);
     for (int r = 0; r < job->records.count; r++) {
         const struct path_record *q = &job->records.at[job->records.order[r]];
-        assert_true(q->standing == UNIQUE || q->standing == END);
+        simple = simple && q->standing == UNIQUE;
         for (int k = 0; k < c->count; k++)
-            used[k] = used[k] || (is_crossing(n, m, q, &c->at[k]) && q->standing == c->at[k].standing);
+            seen[k] = seen[k] || (is_crossing(n, m, q, &c->at[k]));
     }
-    for (int k = 0; k < c->count; k++)
-        if (!used[k])
+    for (int k = 0; k < c->count; k++) {
+        simple = simple && c->at[k].standing == UNIQUE;
+        if (!seen[k])
             fail_msg("run %ld, %d x %d pieces: crossing %d of the whole is not among them", seed, n, m, k);
+    }
+    if (simple && count != c->count)
+        fail_msg("run %ld, %d x %d pieces: %d records, expected %d", seed, n, m, count, c->count);
+    *undecided += !simple;
 }
 
 /* Two records of a pair of which each holds one solution, and that meet, are told as one here: which of the
@@ -401,9 +404,9 @@ static void solve_whole(const real f[8], const real g[8], struct crossings *foun
 static void cutting_changes_nothing(void **state)
 {
     struct crossings *found = (struct crossings *)malloc(sizeof *found);
-    int tried = 0;
+    int tried = 0, undecided = 0;
     (void)state;
-    for (int run = 0; run < 30 * RUNS; run++) {
+    for (int run = 0; run < 75 * RUNS; run++) {
         struct random_state r = random_for(2, "cut", (uint64_t)run);
         real f[8], g[8], f_left[8], f_right[8], g_left[8], g_right[8];
         random_cubic(&r, f);
@@ -428,12 +431,12 @@ static void cutting_changes_nothing(void **state)
             pieces(&set, f, cuts);
             pieces(&set, g, run % 4 == 2 ? 0 : 2 - cuts / 2);
             job_of(&job, &set.at[0], &set.at[1]);
-            check_same(found, &job, run);
+            check_same(found, &job, run, &undecided);
             path_job_clear(&job);
             path_set_clear(&set);
         }
     }
-    assert_true(tried >= 24 * RUNS);
+    assert_true(tried >= 60 * RUNS && undecided * 50 < tried);
     free((void *)found);
 }
 
