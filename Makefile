@@ -171,7 +171,8 @@ AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
 .PHONY: all tests check check-full setup setup-build setup-check setup-reproduce reproduce figures claims peers-table \
-        peers-contacts certified-masses regions comparisons trials instructions against-lib2geom fuzz format clean help
+        peers-contacts certified-masses regions paths comparisons trials instructions against-lib2geom fuzz format clean help
+
 all: $(programs) peers-found ## build everything: build/fatline and its programs
 
 tests: $(programs) $(library) $(if $(shell command -v clang),$(FUZZ) build/fuzz/planted) peers-found build/slower/double/fatline-passes $(tests_double) $(tests_others) ## build everything and the tests
@@ -220,6 +221,9 @@ trials: all build/slower/double/fatline-passes ## can doctor and compare be trus
 instructions: all ## count the instructions of each algorithm under callgrind
 	@scripts/instructions
 	@scripts/region_instructions
+
+paths: build/fatline build/double/fatline-paths peers-found ## time paths of 100 to 1,000,000 segments (2 minutes)
+	@$(PYTHON) scripts/paths
 
 against-lib2geom: all ## time bezier_clipping beside lib2geom's clipping
 	@scripts/against_lib2geom
