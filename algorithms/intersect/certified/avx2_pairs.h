@@ -55,7 +55,7 @@ AVX2_INLINE void record(struct crossings *out, __m256d low, __m256d high, bool i
 {
     struct crossing *c = &out->at[out->count++];
     _mm256_storeu_pd(&c->t.lo, _mm256_unpacklo_pd(low, high)); /* t.lo, t.hi, s.lo, s.hi */
-    c->standing = (enum standing)(UNIQUE + is_end); /* END is the next */
+    c->standing = (enum standing)(UNIQUE + is_end);            /* END is the next */
     c->at_most = 1;
     c->multiplicity = 1 - is_end;
 }
