@@ -2,7 +2,9 @@
  * where the machine can.
  *
  * Every pair gets what problem_solve says of it with `certified`: the same records with the same standings,
- * whose intervals hold the same solutions and so meet; their bits differ.  No allocation, no static state:
+ * whose intervals hold the same solutions and so meet; their bits differ.  Only where rounding is not small
+ * against the curves (far from the origin, and tiny) one of the two may prove that nothing is there while the
+ * other reports an END, whose zero is beyond the end, or a CANDIDATE.  No allocation, no static state:
  * thread-safe if workspace and answer are not shared. */
 #ifndef FATLINE_BATCH_H
 #define FATLINE_BATCH_H

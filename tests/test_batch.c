@@ -401,6 +401,12 @@ static void test_indices(void **state)
         assert_int_equal(batch_solve(&r.batch, 0, r.workspace, &r.answer), SOLVED);
         compare(&r, "every with every", &z);
         assert_true(r.answer.overlaps >= CURVES);
+        r.batch.g_index = NULL; /* one side by index, the other in order */
+        r.batch.f_index = g + CURVES / 2;
+        r.batch.pairs = CURVES;
+        assert_int_equal(batch_solve(&r.batch, 0, r.workspace, &r.answer), SOLVED);
+        compare(&r, "one side by index", &z);
+        r.batch.pairs = CURVES * CURVES; /* as they were made */
         run_clear(&r);
     }
     workspace_clear(&z.workspace);
