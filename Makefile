@@ -176,7 +176,7 @@ figures: ## draw results/figures/ from results/raw/
 	@$(PYTHON) scripts/figures.py
 	@$(PYTHON) scripts/convergence_figures.py
 
-claims: all ## measure every claim of scripts/claims.toml and write results/claims.md (5 minutes)
+claims: all ## measure every claim of scripts/claims.toml and write results/claims.md (5 to 8 minutes)
 	@$(PYTHON) scripts/claims.py
 
 claim-%: all
