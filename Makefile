@@ -194,7 +194,7 @@ figures: build/double/fatline-region ## draw results/figures/ from results/raw/,
 	@$(PYTHON) scripts/convergence_figures.py
 	@$(PYTHON) scripts/region_figures.py
 
-claims: all ## measure every claim of scripts/claims.toml and write results/claims.md (5 minutes)
+claims: all ## measure every claim of scripts/claims.toml and write results/claims.md (5 to 8 minutes)
 	@$(PYTHON) scripts/claims.py
 
 claim-%: all

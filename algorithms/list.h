@@ -50,6 +50,7 @@ PEER(bezier_js_polished)
 CONTROL(control_discard_and)
 CONTROL(control_no_margin)
 CONTROL(control_normal_not_unit)
+CONTROL(control_no_delta)
 
 #define INTERSECTOR_DEFAULT bezier_clipping
 

@@ -58,6 +58,12 @@ static void test_normal_not_unit(void **state)
     assert_true(solve_all("control_normal_not_unit", 64 * REAL_EPSILON).lost > 0);
 }
 
+static void test_no_delta(void **state)
+{
+    (void)state;
+    assert_true(solve_all("control_no_delta", 64 * REAL_EPSILON).lost > 0);
+}
+
 /* Controls are found by their exact names and are not in the registry. */
 static void test_not_listed(void **state)
 {
@@ -72,9 +78,8 @@ static void test_not_listed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_discard_and),
-        cmocka_unit_test(test_no_margin),
-        cmocka_unit_test(test_normal_not_unit),
+        cmocka_unit_test(test_discard_and),     cmocka_unit_test(test_no_margin),
+        cmocka_unit_test(test_normal_not_unit), cmocka_unit_test(test_no_delta),
         cmocka_unit_test(test_not_listed),
     };
     return cmocka_run_group_tests_name("controls", tests, NULL, NULL);

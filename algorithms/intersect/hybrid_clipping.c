@@ -26,6 +26,7 @@ struct rules {
     bool scalar;      /* delta: the two-sided scalar one, or the planar one of the papers */
     bool arc;         /* the variant: longer arc, oriented boxes */
     bool discard_and; /* control: the discard rule as printed */
+    bool no_delta;    /* control: the band is taken for the curve */
     real stretch;     /* 1; the length of the normal */
 };
 
@@ -105,7 +106,7 @@ static inline real max_norm(int length, const real *c)
  * residual of the weight added.  Rounding: of delta itself 4 u, of the residuals their bound in each
  * component, of the distances 5 u. */
 static inline void reduce_vector(const struct reduction *r, const struct strip *s, const struct arc *a,
-                                 struct bounds_of_distance *out)
+                                 bool no_delta, struct bounds_of_distance *out)
 {
     real q[3 * (BAND_DEGREE_MAX + 1)], rest[3 * (DEGREE_MAX + 1)];
     int components = a->w ? 3 : 2, length = a->degree + 1, reduced = r->k + 1;
@@ -123,6 +124,7 @@ static inline void reduce_vector(const struct reduction *r, const struct strip *
     } else {
         largest = max_norm(components * reduced, q);
     }
+    delta = no_delta ? (real)0 : delta;
     delta = delta + 4 * REAL_EPSILON * (delta + (s->norm + level) * largest + level);
     for (int i = 0; i < reduced; i++) {
         real d = s->nx * qx[i] + s->ny * qy[i];
@@ -143,7 +145,7 @@ static inline void clip(const struct rules *rules, const struct reduction *r, co
     if (rules->scalar) {
         reduce_scalar(r, &s, a, &d);
     } else {
-        reduce_vector(r, &s, a, &d);
+        reduce_vector(r, &s, a, rules->no_delta, &d);
     }
     band_above(r->k, d.above, &above);
     if (above.count == 0 && !rules->discard_and) {
@@ -236,11 +238,11 @@ static inline size_t scratch_length(int n, int m, int k)
 }
 
 /* One entry of the registry: its rules, its step, its order per round at contact 1, its name and summary. */
-#define HYBRID(id, degree, scalar_, variant, rule, wrong_and, margin, stretch, order_, what)                 \
+#define HYBRID(id, degree, scalar_, variant, rule, wrong_and, wrong_delta, margin, stretch, order_, what)    \
     static int id##_shrink(const struct problem *p, const struct workspace *w, struct cell *c,               \
                            struct piece piece[PIECES_MAX])                                                   \
     {                                                                                                        \
-        const struct rules rules = {degree, scalar_, variant, wrong_and, stretch};                           \
+        const struct rules rules = {degree, scalar_, variant, wrong_and, wrong_delta, stretch};              \
         return shrink(&rules, p, w, c, piece);                                                               \
     }                                                                                                        \
     static enum outcome id##_intersect(const struct problem *p, struct workspace *w, struct crossings *out)  \
@@ -262,24 +264,28 @@ static inline size_t scratch_length(int n, int m, int k)
         .points_only = false,                                                                                \
     };
 
-HYBRID(hybrid_clipping_1, 1, false, false, FOUR_WAY, false, 1, 1, 2,
+HYBRID(hybrid_clipping_1, 1, false, false, FOUR_WAY, false, false, 1, 1, 2,
        "clip a band of degree 1 to the other's fat line")
-HYBRID(hybrid_clipping_2, 2, false, false, FOUR_WAY, false, 1, 1, 3,
+HYBRID(hybrid_clipping_2, 2, false, false, FOUR_WAY, false, false, 1, 1, 3,
        "clip a band of degree 2 to the other's fat line")
-HYBRID(hybrid_clipping_3, 3, false, false, FOUR_WAY, false, 1, 1, 4,
+HYBRID(hybrid_clipping_3, 3, false, false, FOUR_WAY, false, false, 1, 1, 4,
        "clip a band of degree 3 to the other's fat line")
-HYBRID(hybrid_clipping_2_scalar, 2, true, false, FOUR_WAY, false, 1, 1, 3,
+HYBRID(hybrid_clipping_2_scalar, 2, true, false, FOUR_WAY, false, false, 1, 1, 3,
        "degree 2 as published, but for a scalar delta")
-HYBRID(hybrid_clipping_3_scalar, 3, true, false, FOUR_WAY, false, 1, 1, 4,
+HYBRID(hybrid_clipping_3_scalar, 3, true, false, FOUR_WAY, false, false, 1, 1, 4,
        "degree 3 as published, but for a scalar delta")
-HYBRID(hybrid_clipping_1_arc, 1, true, true, LONGER_ARC, false, 1, 1, 2,
+HYBRID(hybrid_clipping_1_arc, 1, true, true, LONGER_ARC, false, false, 1, 1, 2,
        "degree 1, scalar delta, longer arc, oriented boxes")
-HYBRID(hybrid_clipping_2_arc, 2, true, true, LONGER_ARC, false, 1, 1, 3,
+HYBRID(hybrid_clipping_2_arc, 2, true, true, LONGER_ARC, false, false, 1, 1, 3,
        "degree 2, scalar delta, longer arc, oriented boxes")
-HYBRID(hybrid_clipping_3_arc, 3, true, true, LONGER_ARC, false, 1, 1, 4,
+HYBRID(hybrid_clipping_3_arc, 3, true, true, LONGER_ARC, false, false, 1, 1, 4,
        "degree 3, scalar delta, longer arc, oriented boxes")
 
-HYBRID(control_discard_and, 2, false, false, FOUR_WAY, true, 1, 1, 0,
+HYBRID(control_discard_and, 2, false, false, FOUR_WAY, true, false, 1, 1, 0,
        "control: discards where both conditions fail, as printed")
-HYBRID(control_no_margin, 3, false, false, FOUR_WAY, false, 0, 1, 0, "control: bounds without their rounding")
-HYBRID(control_normal_not_unit, 2, false, false, FOUR_WAY, false, 1, 8, 0, "control: a normal of length 8")
+HYBRID(control_no_margin, 3, false, false, FOUR_WAY, false, false, 0, 1, 0,
+       "control: bounds without their rounding")
+HYBRID(control_normal_not_unit, 2, false, false, FOUR_WAY, false, false, 1, 8, 0,
+       "control: a normal of length 8")
+HYBRID(control_no_delta, 2, false, false, FOUR_WAY, false, true, 1, 1, 0,
+       "control: delta = 0, the band taken for the curve")
