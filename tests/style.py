@@ -14,7 +14,7 @@ PURE = [p for p in SOURCES if p.parts[0] == "algorithms" and "peers" not in p.pa
 
 CLANG_FORMAT = 14  # Debian 12's
 
-SYSTEM_HEADERS = {"float.h", "limits.h", "math.h", "quadmath.h", "stdbool.h", "stddef.h", "stdint.h", "string.h"}
+SYSTEM_HEADERS = {"float.h", "immintrin.h", "limits.h", "math.h", "quadmath.h", "stdbool.h", "stddef.h", "stdint.h", "string.h"}
 SYSTEM_HEADERS_OF = {"algorithms/core/real_multi.hpp": {"mpfr.h", "gmp.h", "cmath", "cstddef", "cstdint", "cstring",
                                                         "cfloat", "climits", "compare", "concepts", "type_traits"}}
 FORBIDDEN_CALLS = re.compile(r"\b(malloc|calloc|realloc|free|alloca|aligned_alloc|printf|fprintf|puts|fopen|fwrite"

@@ -7,7 +7,7 @@
 #include "prop.h"
 #include "solving.h"
 
-enum { PAIRS = 400000 };
+enum { PAIRS = 40000 };
 
 struct sample {
     struct prop_curve f, g;
@@ -178,29 +178,46 @@ static struct problem question(const struct sample *p)
     return problem_of(&p->f.curve, &p->g.curve, 1e-12, 20000);
 }
 
-/* Records in the same order, but for those whose t is the same. */
+/* Pairs where one of the two could not tell solutions apart, or from none, and the other could. */
+static int undecided;
+
+static bool is_single(const struct crossing *c)
+{
+    return c->standing == UNIQUE || c->standing == END;
+}
+
+/* Every solution that one knows lies in some record of the other; true: in one of its own kind. */
+static bool includes(const struct crossings *a, const struct crossings *b, bool *all)
+{
+    bool same = true;
+    for (int i = 0; i < b->count; i++) {
+        bool found = false, alike = false;
+        for (int k = 0; k < a->count; k++) {
+            bool here = touch(&a->at[k].t, &b->at[i].t) && touch(&a->at[k].s, &b->at[i].s);
+            found |= here;
+            alike |= here && a->at[k].standing == b->at[i].standing && a->at[k].at_most == b->at[i].at_most;
+        }
+        *all &= found || !is_single(&b->at[i]);
+        same &= alike;
+    }
+    return same;
+}
+
 static const char *difference(const struct crossings *a, const struct crossings *b)
 {
-    static bool taken[CROSSINGS_MAX];
-    memset(taken, 0, sizeof taken);
-    if (a->count != b->count || a->overlaps != b->overlaps) {
-        return "another number of records";
-    }
+    bool all = true, decided = true;
+    bool same = includes(a, b, &all) & includes(b, a, &all) && a->count == b->count;
     for (int i = 0; i < a->count; i++) {
-        const struct crossing *x = &a->at[i], *y = b->at;
-        int k = 0;
-        while (k < b->count && (taken[k] || !touch(&x->t, &y[k].t) || !touch(&x->s, &y[k].s))) {
-            k++;
-        }
-        if (k == b->count) {
-            return "another place";
-        }
-        if (x->standing != y[k].standing || x->at_most != y[k].at_most) {
-            return "another standing";
-        }
-        taken[k] = true;
+        decided &= is_single(&a->at[i]);
     }
-    return NULL;
+    for (int i = 0; i < b->count; i++) {
+        decided &= is_single(&b->at[i]);
+    }
+    if (!all || a->overlaps != b->overlaps) {
+        return "a solution lies in no record of the other";
+    }
+    undecided += !same;
+    return same || !decided ? NULL : "other records";
 }
 
 /* Value and derivative, de Casteljau. */
@@ -301,6 +318,7 @@ static void test_same_records(void **state)
         kind->make(&r, &p);
         judge(&p, kind->name, i);
     }
+    assert_true(2000 * undecided <= PAIRS);
 }
 
 /* Also where the kernel only takes the scaled copies. */
