@@ -10,7 +10,7 @@
 
 enum {
     WAITING_MAX = 64,
-    STEPS_OF_KERNEL = 256,
+    STEPS_OF_KERNEL = 256, /* fewer than CROSSINGS_MAX */
     TRIAL_STEPS = 6,
     TRIALS_MAX = 2 /* that fail */
 };
@@ -31,7 +31,7 @@ struct trial {
 struct kernel {
     struct front *z;
     double unit; /* u S */
-    __m256d pad, tolerance;
+    __m256d pad;
     bool raised;  /* one of the curves */
     bool powered; /* powers are made */
     int waiting, last_step;
@@ -50,18 +50,14 @@ FATLINE_AVX2 static bool leave(struct kernel *k, const struct part *f, const str
     return front_leave(k->z, t, s);
 }
 
-/* (t, t, s, s), low and high, as a record of the zero between; false: there is no room. */
-AVX2_INLINE bool record(struct crossings *out, __m256d low, __m256d high, bool is_end)
+/* (t, t, s, s), low and high, as a record of the zero between.  There is room: a step adds one at most. */
+AVX2_INLINE void record(struct crossings *out, __m256d low, __m256d high, bool is_end)
 {
-    if (out->count == CROSSINGS_MAX) {
-        return false;
-    }
     struct crossing *c = &out->at[out->count++];
     _mm256_storeu_pd(&c->t.lo, _mm256_unpacklo_pd(low, high)); /* t.lo, t.hi, s.lo, s.hi */
-    c->standing = is_end ? END : UNIQUE;
+    c->standing = (enum standing)(UNIQUE + is_end);            /* END is the next */
     c->at_most = 1;
-    c->multiplicity = is_end ? 0 : 1;
-    return true;
+    c->multiplicity = 1 - is_end;
 }
 
 /* Well inside both parts, but for ends of the domains, and as narrow as asked, the zero is a record. */
@@ -78,10 +74,15 @@ AVX2_INLINE bool settle_zero(struct kernel *k, const struct arms *a, __m256d at,
                                _mm256_and_pd(above, _mm256_cmp_pd(a->hi, one, _CMP_LT_OQ)));
     low = _mm256_max_pd(low, zero);
     high = _mm256_min_pd(high, one);
-    __m256d wide = _mm256_cmp_pd(_mm256_sub_pd(high, low), k->tolerance, _CMP_GT_OQ);
+    __m256d asked = _mm256_permute4x64_pd(_mm256_castpd128_pd256(_mm_loadu_pd(&k->z->tolerance_t)), 0x50);
+    __m256d wide = _mm256_cmp_pd(_mm256_sub_pd(high, low), asked, _CMP_GT_OQ); /* t, t, s, s */
     __m256d bad = _mm256_or_pd(cut, wide), end = _mm256_or_pd(below, above);
+    if (!_mm256_testz_pd(bad, bad)) {
+        return false;
+    }
     /* next to no cut, but below or above: next to an end */
-    return _mm256_testz_pd(bad, bad) && record(k->z->out, low, high, !_mm256_testz_pd(end, end));
+    record(k->z->out, low, high, !_mm256_testz_pd(end, end));
+    return true;
 }
 
 /* BESIDE: narrow, with parallel directions. */

@@ -74,7 +74,6 @@ AVX2_INLINE void solve(struct kernel *k, bool raised)
 {
     struct front *z = k->z;
     const int allowed = z->max_steps - z->steps;
-    k->tolerance = halves(z->tolerance_t, z->tolerance_s);
     k->raised = raised;
     k->powered = k->trial.on = false;
     k->waiting = k->trial.failed = 0;
