@@ -11,7 +11,7 @@
 
 #ifdef FATLINE_AVX2
 
-#include "any_one.h"
+#include "avx2_any_one.h"
 
 enum {
     WAITING_MAX = 64,       /* 16 at the root, and one more for each halving of either curve */

@@ -11,8 +11,8 @@
  * coordinate errs by n u S (1 + 64 u) more than before, and x + y and x - y, which are below 2 S, by twice
  * that and u 2 S from the beginning.  After DEPTH_OF_ARCS = 8 halvings a coordinate errs by less than E, the
  * sum and the difference by less than 2 E. */
-#ifndef FATLINE_CERTIFIED_ANY_ARCS_H
-#define FATLINE_CERTIFIED_ANY_ARCS_H
+#ifndef FATLINE_CERTIFIED_AVX2_ANY_ARCS_H
+#define FATLINE_CERTIFIED_AVX2_ANY_ARCS_H
 
 #include "front.h"
 

@@ -4,10 +4,10 @@
  * t^i and n C(n-1, i) (c[i+1] - c[i]) v^(n-1-i) t^i, v = 1 - t, by Horner's rule in v (evaluate.h).  A fused
  * product rounds once less, so the errors are below (3n + 4) u S and n (3n + 6) u V, V the largest 1-norm of
  * a difference of the whole curve. */
-#ifndef FATLINE_CERTIFIED_ANY_ONE_H
-#define FATLINE_CERTIFIED_ANY_ONE_H
+#ifndef FATLINE_CERTIFIED_AVX2_ANY_ONE_H
+#define FATLINE_CERTIFIED_AVX2_ANY_ONE_H
 
-#include "any_arcs.h"
+#include "avx2_any_arcs.h"
 
 #ifdef FATLINE_AVX2
 
