@@ -37,8 +37,11 @@ static size_t level_length(int n, int m)
 
 size_t certified_scratch(int n, int m)
 {
-    return 2 * numbers_for(NODES_MAX * sizeof(struct node)) + numbers_for(PAIRS_MAX * sizeof(struct pair)) +
-           (size_t)NODES_MAX * (size_t)(node_stride(n) + node_stride(m)) + LEVELS_MAX * level_length(n, m);
+    size_t in_front = front_scratch(n, m);
+    size_t own =
+        2 * numbers_for(NODES_MAX * sizeof(struct node)) + numbers_for(PAIRS_MAX * sizeof(struct pair)) +
+        (size_t)NODES_MAX * (size_t)(node_stride(n) + node_stride(m)) + LEVELS_MAX * level_length(n, m);
+    return own > in_front ? own : in_front; /* one after the other */
 }
 
 static real *take(real **at, size_t numbers)

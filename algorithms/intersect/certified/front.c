@@ -16,9 +16,22 @@ bool front_run(struct front *z)
     if (z->f->degree <= 3 && z->g->degree <= 3 && has_avx2()) {
         return front_cubic_avx2(z);
     }
+    if (has_avx2()) {
+        return front_any_avx2(z);
+    }
 #endif
     (void)z;
     return false;
+}
+
+size_t front_scratch(int n, int m)
+{
+#ifdef FATLINE_AVX2
+    if (n > 3 || m > 3) {
+        return front_any_scratch(n, m);
+    }
+#endif
+    return (void)n, (void)m, (size_t)0;
 }
 
 /* The order of problem_solve for polynomial curves over [0, 1]: by degree, then by the first coordinate that
@@ -93,13 +106,16 @@ enum front_answer front_of_certified(const struct problem *p, struct workspace *
         return FRONT_REFUSED;
     }
     bool swapped = front_open(&z, p, out, rest);
+    z.scratch = w->scratch;
+    z.scratch_length = w->scratch_length;
     return front_run(&z) ? front_close(&z, swapped, w) : FRONT_REFUSED;
 }
 
 bool front_of_prepared(const struct problem *p, struct workspace *w, struct crossings *out, struct rest *rest)
 {
-    struct front z = {&p->f, &p->g, p->bounds.tolerance_t, p->bounds.tolerance_s, w->steps, p->max_steps,
-                      out,   rest};
+    struct front z = {
+        &p->f, &p->g,      p->bounds.tolerance_t, p->bounds.tolerance_s, w->steps, p->max_steps, out,
+        rest,  w->scratch, w->scratch_length};
     rest->count = 0;
     if (p->f.w || p->g.w || !front_run(&z)) {
         return false;

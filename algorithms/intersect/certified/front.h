@@ -25,6 +25,8 @@ struct front {
     int steps, max_steps;          /* taken: the kernel counts them; at most so many */
     struct crossings *out;         /* records are added, with t and s as for f and g */
     struct rest *rest;
+    real *scratch; /* memory of the call, of scratch_length numbers */
+    size_t scratch_length;
 };
 
 /* Every solution in the rectangle is left to the engine; false: there are too many rectangles, so now
@@ -94,6 +96,8 @@ enum front_answer front_close(const struct front *z, bool swapped, struct worksp
 /* The kernel for these degrees and this processor, if there is one; false: there is none, or it does not take
  * these numbers, and nothing has been done.  Degrees and domains are those of problems. */
 bool front_run(struct front *z);
+/* Numbers of scratch memory that a kernel for these degrees may need. */
+size_t front_scratch(int n, int m);
 
 /* The front of `certified` (struct intersector). */
 enum front_answer front_of_certified(const struct problem *p, struct workspace *w, struct crossings *out,
@@ -107,6 +111,8 @@ bool front_of_prepared(const struct problem *p, struct workspace *w, struct cros
 #if defined(__x86_64__) && !defined(FATLINE_QUAD) && !defined(FATLINE_MULTI)
 #define FATLINE_AVX2 __attribute__((target("avx2,fma")))
 FATLINE_AVX2 bool front_cubic_avx2(struct front *z); /* degrees 1 to 3 */
+FATLINE_AVX2 bool front_any_avx2(struct front *z);   /* any; it needs scratch */
+size_t front_any_scratch(int n, int m);              /* so many numbers */
 /* The front of `certified` for two cubics: pairs that are apart cost little more than reading them. */
 FATLINE_AVX2 enum front_answer front_cubics_avx2(const struct problem *p, struct workspace *w,
                                                  struct crossings *out, struct rest *rest);
