@@ -185,7 +185,7 @@ claim-%: all
 peers-table: all ## time and judge the other libraries that are installed beside ours (FULL=1: on all sets, 15 minutes)
 	@$(PYTHON) scripts/peers $(if $(filter-out 0,$(FULL)),--full)
 
-certified-masses: all ## a million random pairs and 136,000 adversarial ones, judged (10 minutes; results/tables/certified.md)
+certified-masses: all ## a million random pairs and 137,000 adversarial ones, judged (10 minutes; results/tables/certified.md)
 	@$(PYTHON) scripts/certified_masses --jobs $(JOBS)
 
 comparisons: ## profiles, growth, accuracy, every two algorithms, from results/raw/
