@@ -167,6 +167,16 @@ static enum verdict cut_to_common(struct solver *z, const struct pair *at, const
     return less ? pair_narrow(z, at, &common) : OPEN;
 }
 
+/* Do they have so little in common in x that cutting them down to it is worth it?  What one does beyond the
+ * other's end, where a rounded corner goes on as the same curve, is then beside the point. */
+static bool have_little(const struct node *f, const struct node *g, const struct graphs *h)
+{
+    const real worth = (real)0.5;
+    struct zero common;
+    graphs_common(f, g, h, 0, &common);
+    return 2 * common.rt <= worth * (f->hi - f->lo) || 2 * common.rs <= worth * (g->hi - g->lo);
+}
+
 /* Arcs with parallel directions.  Looks for contacts rest for two splits when they fail. */
 static enum verdict settle_beside(struct solver *z, struct pair *at)
 {
@@ -190,13 +200,15 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
         return CLOSED;
     }
     at->rest = 2;
-    if (at->level > 0 && cluster_settle(z, at) == CLOSED) {
+    int most = graphs && have_little(f, g, &h) ? 2 : (int)DEGREE_MAX;
+    if (at->level > 0 && cluster_settle(z, at, most) == CLOSED) {
         return CLOSED;
     }
     if (graphs && cut_to_common(z, at, &h) == CLOSED) {
         return CLOSED;
     }
-    return at->level == 0 && (f->hi - f->lo) * (g->hi - g->lo) <= small ? cluster_settle(z, at) : OPEN;
+    return at->level == 0 && (f->hi - f->lo) * (g->hi - g->lo) <= small ? cluster_settle(z, at, DEGREE_MAX)
+                                                                        : OPEN;
 }
 
 static enum verdict settle(struct solver *z, struct pair *at)

@@ -100,7 +100,7 @@ static void region_of(const struct gap_model *c, const struct stretch *s, const 
 }
 
 static enum verdict settle_stretch(struct solver *z, const struct pair *at, const struct gap_model *c,
-                                   bool f_is_graph, const struct stretch *s)
+                                   bool f_is_graph, const struct stretch *s, int most)
 {
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     const real worth = (real)0.5;
@@ -108,8 +108,11 @@ static enum verdict settle_stretch(struct solver *z, const struct pair *at, cons
     region_of(c, s, f_is_graph ? g : f, f_is_graph ? f : g, f_is_graph, &x);
     real size;
     int p = order_on(c, s, &size);
-    bool limited = is_limited(c, s) || (p && is_all(c, s, p, size));
+    bool limited = is_limited(c, s) || (p > 0 && p <= 2 && is_all(c, s, p, size));
     p = limited ? p : 0;
+    if (p > most) {
+        return OPEN;
+    }
     if (p == 1) {
         const int many = 64;
         struct zero guess = {x.t, x.s, 0, 0};
@@ -148,17 +151,18 @@ static enum verdict divide(struct solver *z, const struct pair *at, const struct
 }
 
 static enum verdict settle_stretches(struct solver *z, const struct pair *at, const struct gap_model *c,
-                                     bool f_is_graph)
+                                     bool f_is_graph, int most)
 {
     struct stretch s[STRETCHES_MAX];
     int count = stretches(c, s);
     if (count == 0) {
         return CLOSED;
     }
-    return count == 1 ? settle_stretch(z, at, c, f_is_graph, &s[0]) : divide(z, at, c, f_is_graph, count, s);
+    return count == 1 ? settle_stretch(z, at, c, f_is_graph, &s[0], most)
+                      : divide(z, at, c, f_is_graph, count, s);
 }
 
-enum verdict cluster_settle(struct solver *z, const struct pair *at)
+enum verdict cluster_settle(struct solver *z, const struct pair *at, int most)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
@@ -167,7 +171,7 @@ enum verdict cluster_settle(struct solver *z, const struct pair *at)
         bool f_is_graph = way;
         bool made =
             f_is_graph ? gap_model_init(&v->g, g, &v->f, f, &c) : gap_model_init(&v->f, f, &v->g, g, &c);
-        if (made && settle_stretches(z, at, &c, f_is_graph) == CLOSED) {
+        if (made && settle_stretches(z, at, &c, f_is_graph, most) == CLOSED) {
             return CLOSED;
         }
     }

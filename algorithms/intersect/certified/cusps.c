@@ -356,6 +356,10 @@ static enum verdict settle_box(struct solver *z, const struct pair *at, const st
 {
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     real wide = f->hi - f->lo, high = g->hi - g->lo;
+    const real small = (real)1 / 16;
+    if (!(box->r <= small * a->reach && box->s <= small * b->reach)) {
+        return OPEN; /* sharp turns rather than cusps: halves tell more */
+    }
     struct zero x = {f->lo + wide * a->t, g->lo + high * b->t,
                      wide * box->r * (1 + 4 * REAL_EPSILON) + 2 * REAL_EPSILON,
                      high * box->s * (1 + 4 * REAL_EPSILON) + 2 * REAL_EPSILON};

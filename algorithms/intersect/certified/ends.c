@@ -136,7 +136,6 @@ static int report(struct solver *z, int level, const struct zero *x)
 {
     const struct level *v = &z->level[level];
     const struct bounds *b = &z->p->bounds;
-    const real shorter = (real)1 / 16;
     struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
     struct crossing c = {t, s, near_end(&t) || near_end(&s) ? END : UNIQUE, 1, 1};
     if (c.standing == END) {
@@ -147,6 +146,8 @@ static int report(struct solver *z, int level, const struct zero *x)
     if (c.t.lo > c.t.hi || c.s.lo > c.s.hi) {
         return 0; /* beyond the domain after all */
     }
+    /* far from the origin, a closer look may tell more about an end although it is hardly narrower */
+    const real shorter = c.standing == END ? (real)1 / 2 : (real)1 / 16;
     if (c.t.hi - c.t.lo > b->tolerance_t || c.s.hi - c.s.lo > b->tolerance_s) {
         if (is_busy(z, level)) {
             return LATER;

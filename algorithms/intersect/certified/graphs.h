@@ -49,7 +49,8 @@ void direction_turn(const struct node *a, real *out);
 
 enum verdict contact_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                             const struct graphs *h);
-enum verdict cluster_settle(struct solver *z, const struct pair *at);
+/* most: clusters of more are not worth it, and the pair stays open. */
+enum verdict cluster_settle(struct solver *z, const struct pair *at, int most);
 enum verdict cusps_settle(struct solver *z, const struct pair *at);
 bool overlap_holds(const struct solver *z, int level, const struct node *f, const struct node *g,
                    const struct graphs *h);
