@@ -71,6 +71,18 @@ static void test_damage_is_found(void **state)
     assert_int_equal(found, damaged);
 }
 
+/* A region 10^11 sizes of the curve away: an answer that misses it is not certified. */
+static void test_far_away(void **state)
+{
+    (void)state;
+    struct family f;
+    family_open(&f, 1, 3, 9, 863);
+    assert_int_equal(find(&f, "region_carriers", f.region), SOLVED);
+    assert_false(f.region->kind == REGION_EMPTY && f.region->certified);
+    assert_true(REAL_BITS <= 53 || (f.region->kind == REGION_UNBOUNDED && f.region->certified));
+    family_close(&f);
+}
+
 static void test_limits(void **state)
 {
     (void)state;
@@ -96,9 +108,8 @@ static void test_limits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_methods_agree),
-        cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_random),          cmocka_unit_test(test_methods_agree),
+        cmocka_unit_test(test_limits),          cmocka_unit_test(test_far_away),
         cmocka_unit_test(test_damage_is_found),
     };
     return cmocka_run_group_tests_name("region", tests, NULL, NULL);

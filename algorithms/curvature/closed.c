@@ -142,7 +142,7 @@ void boundary_closed(struct region_work *k, struct region *r)
         return;
     }
     empty = !enclose(k, c, relaxation(), relaxation(), &outcome);
-    r->certified = empty && outcome == SOLVED;
+    r->certified = empty && c->missed && outcome == SOLVED;
     if (empty || outcome != SOLVED) {
         return;
     }

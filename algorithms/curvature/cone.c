@@ -32,6 +32,7 @@ void half_plane_infinity(struct half_plane *p)
 void cone_init(struct cone *c)
 {
     c->count = 1;
+    c->missed = false;
     half_plane_infinity(&c->edge[0].plane);
     c->edge[0].v[0] = c->edge[0].v[1] = c->edge[0].v[2] = c->edge[0].error = 0;
     c->edge[0].holds = c->edge[0].fresh = false;
@@ -57,11 +58,18 @@ static int side(const struct half_plane *p, const real *v, real error)
     return s > bound ? 1 : s < -bound ? -1 : 0;
 }
 
+/* 0 x + 0 y - 1 > 0. */
+static bool is_nowhere(const struct half_plane *p)
+{
+    return p->l[0] == 0 && p->l[1] == 0 && p->l[2] < 0;
+}
+
 static enum clip clip_whole(struct cone *c, const struct half_plane *p)
 {
     real v[3], error;
     triple_meet(c->edge[0].plane.l, c->edge[0].plane.error, p->l, p->error, v, &error);
     if (error >= 1) {
+        c->missed = is_nowhere(p);
         return triple_dot(c->edge[0].plane.l, p->l) > 0 ? CLIP_NOTHING : CLIP_EMPTY;
     }
     c->count = 2;
@@ -161,17 +169,22 @@ static enum clip clip_general(struct cone *c, const struct half_plane *p)
 enum clip cone_clip(struct cone *c, const struct half_plane *p)
 {
     bool inside = true, outside = true;
+    c->missed = is_nowhere(p);
     if (c->count == 1) {
         return clip_whole(c, p);
     }
     if (c->count == 2 && side(p, c->edge[0].v, c->edge[0].error) == 0) {
         return clip_pencil(c, p);
     }
+    c->missed = is_nowhere(p);
+    bool strictly = true;
     for (int i = 0; i < c->count; i++) {
         int s = side(p, c->edge[i].v, c->edge[i].error);
         inside = inside && s >= 0;
         outside = outside && s <= 0;
+        strictly = strictly && s < 0;
     }
+    c->missed = c->missed || strictly;
     return inside ? CLIP_NOTHING : outside ? CLIP_EMPTY : clip_general(c, p);
 }
 

@@ -49,6 +49,7 @@ struct cone_edge {
 
 struct cone {
     int count, room;
+    bool missed; /* once empty: by all of the cone before, beyond rounding */
     struct cone_edge *edge;
 };
 
