@@ -16,8 +16,7 @@ void *path_memory(void *old, size_t bytes)
     return memory;
 }
 
-/* Nothing of it straddles two cache lines without need. */
-static void *path_aligned(size_t bytes)
+void *path_aligned(size_t bytes)
 {
     void *memory = aligned_alloc(64, bytes / 64 * 64 + 64);
 
