@@ -56,7 +56,8 @@ struct path_tree {
     struct path_node *level[PATH_LEVELS];
 };
 
-size_t path_tree_size(int count); /* bytes, aligned as malloc aligns */
+/* Bytes, aligned as malloc aligns; fastest where 64 divides the address. */
+size_t path_tree_size(int count);
 void path_tree_make(struct path_tree *tree, const struct path *path, void *memory);
 
 /* ---- the walk ---- */

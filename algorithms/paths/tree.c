@@ -76,18 +76,30 @@ static void reach_rational(const struct curve *c, struct reach *r)
     }
 }
 
-static void box_of_segment(const struct path *path, int i, struct path_node *node, int k)
+/* Of the four points of a cubic h is a, b, c, d. */
+static inline void bound(real a, real b, real c, real d, double *low, double *high)
 {
-    const struct curve *c = &path->segment[i];
+    *low = real_to_double(real_min(real_min(a, b), real_min(c, d)));
+    *high = real_to_double(real_max(real_max(a, b), real_max(c, d)));
+}
+
+/* x[0..3], y[0..3] of a cubic, which is the common case. */
+static inline void box_of_cubic(const real *x, const real *y, struct path_node *node, int k)
+{
+    bound(x[0], x[1], x[2], x[3], &node->low[0][k], &node->high[0][k]);
+    bound(y[0], y[1], y[2], y[3], &node->low[1][k], &node->high[1][k]);
+    bound(x[0] + y[0], x[1] + y[1], x[2] + y[2], x[3] + y[3], &node->low[2][k], &node->high[2][k]);
+    bound(x[0] - y[0], x[1] - y[1], x[2] - y[2], x[3] - y[3], &node->low[3][k], &node->high[3][k]);
+}
+
+static void box_of_segment(const struct curve *c, struct path_node *node, int k)
+{
     struct reach r;
     for (int h = 0; h < 4; h++) {
         r.low[h] = REAL_HUGE;
         r.high[h] = -REAL_HUGE;
     }
-    if (path->degree && path->degree[i] == 3) { /* the table is all that is read */
-        const real *points = path->points + (size_t)BATCH_NUMBERS * (size_t)i;
-        reach_polynomial(3, points, points + BATCH_NUMBERS / 2, &r);
-    } else if (c->w) {
+    if (c->w) {
         reach_rational(c, &r);
     } else {
         reach_polynomial(c->degree, c->x, c->y, &r);
@@ -98,16 +110,20 @@ static void box_of_segment(const struct path *path, int i, struct path_node *nod
     }
 }
 
-/* Of segments first, first + 1, ...; made apart, so that it is written in one go. */
+/* Of segments first, first + 1, ...; made apart, so that it is written in one go.  Of a cubic the table is
+ * all that is read. */
 static void node_of_segments(const struct path *path, int first, struct path_node *to)
 {
     struct path_node made;
     for (int k = 0; k < PATH_FAN; k++) {
         int i = first + k;
-        if (i >= path->count || (!(path->degree && path->degree[i]) && path->next[i] == PATH_POINT)) {
+        if (i < path->count && path->degree && path->degree[i] == 3) {
+            const real *points = path->points + (size_t)BATCH_NUMBERS * (size_t)i;
+            box_of_cubic(points, points + BATCH_NUMBERS / 2, &made, k);
+        } else if (i >= path->count || path->next[i] == PATH_POINT) {
             box_clear(&made, k);
         } else {
-            box_of_segment(path, i, &made, k);
+            box_of_segment(&path->segment[i], &made, k);
         }
     }
     *to = made;

@@ -24,11 +24,11 @@ void path_job_make(struct path_job *job, const struct loaded_path *a, const stru
     job->a = a;
     job->b = b;
     job->solver_bytes = path_solver_size(degree);
-    job->solver_memory = path_memory(NULL, job->solver_bytes);
+    job->solver_memory = path_aligned(job->solver_bytes);
     path_solver_init(&job->solver, &a->path, b ? &b->path : NULL, degree, tolerance, max_steps,
                      job->solver_memory);
-    job->memory_a = path_memory(NULL, path_tree_size(a->path.count));
-    job->memory_b = b ? path_memory(NULL, path_tree_size(b->path.count)) : NULL;
+    job->memory_a = path_aligned(path_tree_size(a->path.count));
+    job->memory_b = b ? path_aligned(path_tree_size(b->path.count)) : NULL;
     job->walk = (struct path_walk *)path_memory(NULL, sizeof *job->walk);
     job->block = (struct path_pair *)path_memory(NULL, BLOCK * sizeof *job->block);
 }

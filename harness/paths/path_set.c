@@ -16,8 +16,7 @@ void *path_memory(void *old, size_t bytes)
     return memory;
 }
 
-/* Nothing of it straddles two cache lines without need. */
-static void *path_aligned(size_t bytes)
+void *path_aligned(size_t bytes)
 {
     void *memory = aligned_alloc(64, bytes / 64 * 64 + 64);
 
@@ -153,8 +152,8 @@ void path_draft_end(struct path_draft *d, struct path_set *set)
     size_t links = (size_t)d->segments * sizeof(int);
 
     p->id = d->id;
-    p->segment = (struct curve *)path_memory(d->segment, (size_t)d->segments * sizeof *d->segment);
     p->coefficients = other_numbers(d);
+    p->segment = (struct curve *)path_memory(d->segment, (size_t)d->segments * sizeof *d->segment);
     p->coefficient = (real *)path_memory(NULL, p->coefficients * sizeof(real));
     p->plain = (unsigned char *)path_memory(NULL, (size_t)d->segments);
     p->points = (real *)path_aligned((size_t)d->segments * BATCH_NUMBERS * sizeof(real));

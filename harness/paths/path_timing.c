@@ -25,7 +25,7 @@ struct beside {
 };
 
 struct samples {
-    int rounds;
+    int rounds, passes;
     double ns[STAGES][ROUNDS_MAX], beside[ROUNDS_MAX];
 };
 
@@ -75,28 +75,62 @@ static void beside_clear(struct beside *b)
     free(b->pairs.at);
 }
 
-/* The first round is not counted. */
-static bool take_samples(struct path_job *job, struct beside *b, int rounds, const volatile int *stop,
-                         struct samples *s)
+/* As many passes as take a sample's time, one at least. */
+static int passes_for(double ns)
 {
-    s->rounds = rounds;
-    for (int r = -1; r < rounds; r++) {
+    const double sample_ns = 1e7;
+
+    return ns < sample_ns ? (int)(sample_ns / (ns + 1)) + 1 : 1;
+}
+
+/* Means of so many runs. */
+static bool sample_paths(struct path_job *job, int passes, const volatile int *stop, double ns[STAGES])
+{
+    for (int k = 0; k < STAGES; k++)
+        ns[k] = 0;
+    for (int p = 0; p < passes; p++) {
         const struct path_times *t = &job->times;
-        int k = r < 0 ? 0 : r;
 
         if (!path_job_run(job, stop))
             return false;
-        s->ns[0][k] = t->build;
-        s->ns[1][k] = t->walk;
-        s->ns[2][k] = t->solve;
-        s->ns[3][k] = t->join;
-        s->ns[4][k] = t->build + t->walk + t->solve + t->join;
-        if (b) {
-            double from = clock_now(false);
+        ns[0] += t->build / passes;
+        ns[1] += t->walk / passes;
+        ns[2] += t->solve / passes;
+        ns[3] += t->join / passes;
+    }
+    ns[4] = ns[0] + ns[1] + ns[2] + ns[3];
+    return true;
+}
 
-            solve_beside(job, b);
-            s->beside[k] = clock_now(false) - from;
-        }
+static double sample_beside(const struct path_job *job, struct beside *b, int passes)
+{
+    double from = clock_now(false);
+
+    for (int p = 0; p < passes; p++)
+        solve_beside(job, b);
+    return (clock_now(false) - from) / passes;
+}
+
+/* The first round, of one pass each, only says how many passes a sample has. */
+static bool take_samples(struct path_job *job, struct beside *b, int rounds, const volatile int *stop,
+                         struct samples *s)
+{
+    double ns[STAGES];
+    int beside_passes = 0;
+
+    s->rounds = rounds;
+    if (!sample_paths(job, 1, stop, ns))
+        return false;
+    s->passes = passes_for(ns[STAGES - 1]);
+    if (b)
+        beside_passes = passes_for(sample_beside(job, b, 1));
+    for (int r = 0; r < rounds; r++) {
+        if (!sample_paths(job, s->passes, stop, ns))
+            return false;
+        for (int k = 0; k < STAGES; k++)
+            s->ns[k][r] = ns[k];
+        if (b)
+            s->beside[r] = sample_beside(job, b, beside_passes);
     }
     return true;
 }
@@ -127,12 +161,12 @@ static json_t *row_of(const struct path_job *job, const struct samples *s)
     int segments = job->a->path.count + (job->b ? job->b->path.count : 0);
     const struct path_solver *z = &job->solver;
     json_t *row =
-        json_pack("{s:[s,s], s:s, s:i, s:I, s:I, s:I, s:I, s:I, s:i, s:i, s:I, s:i}", "ids", job->a->id,
+        json_pack("{s:[s,s], s:s, s:i, s:I, s:I, s:I, s:I, s:I, s:i, s:i, s:I, s:i, s:i}", "ids", job->a->id,
                   job->b ? job->b->id : job->a->id, "precision", REAL_NAME, "segments", segments, "tests",
                   (json_int_t)job->walk->tests, "candidates", (json_int_t)job->candidates, "solved",
                   (json_int_t)z->solved, "looped", (json_int_t)z->looped, "unsolved", (json_int_t)z->unsolved,
                   "found", (int)job->found, "records", job->records.count, "bytes", (json_int_t)job->bytes,
-                  "samples", s->rounds);
+                  "samples", s->rounds, "passes", s->passes);
     for (int k = 0; k < STAGES; k++) {
         char name[32];
 
