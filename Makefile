@@ -127,7 +127,9 @@ include algorithms/library/library.mk
 # ---- tests ---------------------------------------------------------------------------------------------------
 
 # tests/test_X.c is built for each precision, those named here in double only.
-TESTS_ONCE = test_library test_order test_close_up test_referee test_statistics test_clock test_case test_case_mistakes test_random test_row test_exact test_exact_overlap test_exact_invariance test_truth
+TESTS_ONCE = test_case test_case_mistakes test_random test_row test_order test_close_up test_statistics test_clock \
+             test_referee test_exact test_exact_overlap test_exact_invariance test_truth \
+             test_kernels test_library test_region_functions
 TESTS = $(patsubst tests/%.c,%,$(wildcard tests/test_*.c))
 tests_double = $(TESTS:%=build/double/tests/%)
 tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-out $(TESTS_ONCE),$(TESTS))))
@@ -136,7 +138,7 @@ define test_rules
 build/$(1)/tests/test_%: build/$(1)/tests/test_%.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
 # Cases to be judged by exact algebra come from the generator.
-build/$(1)/tests/test_certified build/$(1)/tests/test_batch: | build/double/fatline-generate
+build/$(1)/tests/test_certified build/$(1)/tests/test_batch build/$(1)/tests/test_decide build/$(1)/tests/test_strict: | build/double/fatline-generate
 # The watched algorithms against the others, whose answers a program of its own prints.
 build/$(1)/tests/answers: build/$(1)/tests/answers.o build/$(1)/libharness.a build/$(1)/libalgorithms.a
 	$$(LINK_$(1)) -o $$@ $$^ $$(LIBS_$(1)) -lcmocka $$(LIBS)
@@ -168,8 +170,8 @@ JOBS ?= $(shell nproc)
 AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
-.PHONY: peers-table comparisons trials all tests setup setup-build setup-check setup-reproduce check check-full reproduce figures claims \
-        instructions against-lib2geom fuzz format clean help
+.PHONY: all tests check check-full setup setup-build setup-check setup-reproduce reproduce figures claims peers-table \
+        peers-contacts certified-masses regions paths comparisons trials instructions against-lib2geom fuzz format clean help
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
 
@@ -187,9 +189,10 @@ reproduce: setup-reproduce ## set up, build, run the main job and print its tabl
 	$(AFTER_SETUP) all
 	@$(PYTHON) scripts/reproduce $(if $(filter-out 0,$(FULL)),--full)
 
-figures: ## draw results/figures/ from results/raw/
+figures: build/double/fatline-region ## draw results/figures/ from results/raw/, and those of regions
 	@$(PYTHON) scripts/figures.py
 	@$(PYTHON) scripts/convergence_figures.py
+	@$(PYTHON) scripts/region_figures.py
 
 claims: all ## measure every claim of scripts/claims.toml and write results/claims.md (5 minutes)
 	@$(PYTHON) scripts/claims.py
@@ -197,8 +200,17 @@ claims: all ## measure every claim of scripts/claims.toml and write results/clai
 claim-%: all
 	@$(PYTHON) scripts/claims.py '$*'
 
-peers-table: all ## time and judge the other libraries that are installed beside ours (FULL=1: on all sets, 15 minutes)
+peers-table: all ## time and judge the other libraries that are installed beside ours (FULL=1: on all sets, 7 minutes)
 	@$(PYTHON) scripts/peers $(if $(filter-out 0,$(FULL)),--full)
+
+peers-contacts: all ## what decides whether the other libraries get a contact right (1 minute)
+	@$(PYTHON) scripts/peers_contacts
+
+certified-masses: all ## a million random pairs and 136,000 adversarial ones, judged (10 minutes; results/tables/certified.md)
+	@$(PYTHON) scripts/certified_masses --jobs $(JOBS)
+
+regions: build/double/fatline-region ## judge random regions and time regions (1 minute; FULL=1: 10,000 random ones)
+	@$(PYTHON) scripts/regions.py $(if $(filter-out 0,$(FULL)),--full)
 
 comparisons: ## profiles, growth, accuracy, every two algorithms, from results/raw/
 	@$(PYTHON) scripts/comparisons.py
@@ -208,6 +220,10 @@ trials: all build/slower/double/fatline-passes ## can doctor and compare be trus
 
 instructions: all ## count the instructions of each algorithm under callgrind
 	@scripts/instructions
+	@scripts/region_instructions
+
+paths: build/fatline build/double/fatline-paths peers-found ## time paths of 100 to 1,000,000 segments (2 minutes)
+	@$(PYTHON) scripts/paths
 
 against-lib2geom: all ## time bezier_clipping beside lib2geom's clipping
 	@scripts/against_lib2geom

@@ -2,7 +2,9 @@
  * where the machine can.
  *
  * Every pair gets what problem_solve says of it with `certified`: the same records with the same standings,
- * whose intervals hold the same solutions and so meet; their bits differ.  No allocation, no static state:
+ * whose intervals hold the same solutions and so meet; their bits differ.  Only where rounding is not small
+ * against the curves (far from the origin, and tiny) one of the two may prove that nothing is there while the
+ * other reports an END, whose zero is beyond the end, or a CANDIDATE.  No allocation, no static state:
  * thread-safe if workspace and answer are not shared. */
 #ifndef FATLINE_BATCH_H
 #define FATLINE_BATCH_H
@@ -63,6 +65,7 @@ size_t batch_workspace_size(void);
  * `workspace` has batch_workspace_size() bytes, aligned as malloc aligns. */
 enum outcome batch_solve(const struct batch *b, int first, void *workspace, struct batch_answer *out);
 
-bool batch_has(enum batch_variant variant); /* on this machine, at this precision */
+extern const struct intersector *const batch_algorithm; /* whose answers a batch gives: `certified` */
+bool batch_has(enum batch_variant variant);             /* on this machine, at this precision */
 
 #endif

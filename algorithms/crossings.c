@@ -93,8 +93,8 @@ static bool precedes(const struct crossing *a, const struct crossing *b)
 
 void crossings_sort(struct crossings *out)
 {
-    int gap = 1;
-    while (gap < out->count / 3) {
+    int gap = 1; /* few records mostly come nearly in order */
+    while (out->count > NEAR && gap < out->count / 3) {
         gap = 3 * gap + 1;
     }
     for (; gap > 0; gap /= 3) {

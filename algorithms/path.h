@@ -9,6 +9,7 @@
 
 #include <stdint.h>
 
+#include "batch.h"
 #include "bezier.h"
 
 /* ---- a path ---- */
@@ -18,11 +19,15 @@ enum {
     PATH_POINT = -2 /* the segment is one point, that where a neighbour ends or begins: it is passed over */
 };
 
-/* `count` curves over [0, 1].  next[i]: the segment that begins where i ends, or one of the above; before[i]:
- * the segment whose next is i, or PATH_END.  Both as path_link makes them. */
+/* `count` curves over [0, 1].  points and degree: the same as a table of batch.h, where degree[i] is 0 if
+ * curve i is rational, of a degree above 3 or passed over (its eight numbers are not looked at); both NULL if
+ * there is no table, and all takes longer.  next[i]: the segment that begins where i ends, or one of the
+ * above; before[i]: the segment whose next is i, or PATH_END.  Both as path_link makes them. */
 struct path {
     int count;
     const struct curve *segment;
+    const real *points;
+    unsigned char *degree;
     int *next, *before;
 };
 
@@ -108,6 +113,7 @@ struct path_record {
     enum standing standing;
     int at_most;
     bool joint;
+    bool proved; /* beside a joint (joint.c) */
     int chain;
     int overlap; /* its number among the overlaps, or -1 */
     int link;    /* of path_records_join */
@@ -125,31 +131,41 @@ struct path_records {
     struct path_record *at;
     struct path_overlap *overlap;
     int count, room, overlaps, overlap_room;
+    const int *order; /* at[order[0]], at[order[1]], ...: of path_records_join */
 };
+
+struct path_memory; /* of a solver */
 
 struct path_solver {
     const struct path *a, *b;
     bool self;
     real tolerance;
     int max_steps;
-    struct workspace *workspace;
-    struct crossings *crossings;
+    struct path_memory *memory;
     const struct intersector *pairs, *joints, *loops;
     /* what became of all so far */
-    long solved, passed; /* pairs given to `pairs`; neighbours proved to share their joint only */
-    long looped;         /* single segments given to `loops` */
-    long unsolved;       /* neither SOLVED nor ... */
-    enum outcome worst;  /* the first outcome of one that was not SOLVED */
+    long solved, passed; /* pairs of segments intersected; neighbours proved to share their joint only */
+    long looped;         /* single segments */
+    long unsolved;       /* of all these, not SOLVED */
+    enum outcome worst;  /* the first outcome of one that was not */
 };
 
-/* Room that one pair, or one segment, may need. */
-enum { PATH_RECORDS_LEAST = CROSSINGS_MAX + OVERLAPS_MAX, PATH_OVERLAPS_LEAST = OVERLAPS_MAX };
+/* So many pairs are taken together, with room for so many records of theirs, and so many that batch.h does
+ * not take; room that they, or one segment, may need. */
+enum {
+    PATH_BATCH = 4096,
+    PATH_BATCH_RECORDS = 4096 + (int)CROSSINGS_MAX,
+    PATH_BATCH_OVERLAPS = 256,
+    PATH_ALONE = 2,
+    PATH_RECORDS_LEAST = 4096 + 3 * (int)CROSSINGS_MAX,
+    PATH_OVERLAPS_LEAST = 256 + 2 * (int)OVERLAPS_MAX
+};
 
-/* b: NULL for a path against itself.  The workspace is for the largest degrees, with scratch for path_pairs
- * and path_loops; tolerance and max_steps as in struct problem. */
-extern const struct intersector *const path_pairs, *const path_joints, *const path_loops;
-void path_solver_init(struct path_solver *z, const struct path *a, const struct path *b,
-                      struct workspace *workspace, struct crossings *crossings);
+/* Bytes for segments of at most this degree, aligned as malloc aligns. */
+size_t path_solver_size(int degree);
+/* b: NULL for a path against itself.  tolerance and max_steps as in struct problem. */
+void path_solver_init(struct path_solver *z, const struct path *a, const struct path *b, int degree,
+                      real tolerance, int max_steps, void *memory);
 
 /* Solves pair[0..count-1] until they are done or there is less room left than PATH_RECORDS_LEAST or
  * PATH_OVERLAPS_LEAST; what is found is added to `out`.  Returns the pairs done. */
@@ -158,9 +174,9 @@ int path_solve(struct path_solver *z, const struct path_pair *pair, int count, s
 /* The same for the segments first..last-1 of a path against itself, each alone: where it crosses itself. */
 int path_solve_loops(struct path_solver *z, int first, int last, struct path_records *out);
 
-/* Of all records, those at joints that may hold the same solution become one, and all are sorted by the place
- * on the first path, then on the second.  numbers: path_join_size bytes, count_b = 0 for a path against
- * itself. */
+/* Of all records, those at joints that may hold the same solution become one; all->order has all that are
+ * left, sorted by the place on the first path, then on the second.  numbers: path_join_size bytes, where that
+ * order stays; count_b = 0 for a path against itself. */
 size_t path_join_size(int count_a, int count_b, int records);
 void path_records_join(const struct path_solver *z, struct path_records *all, void *numbers);
 

@@ -81,8 +81,8 @@ struct region_edge {
 
 struct region {
     enum region_kind kind, closed_kind;
-    bool strict; /* false: at an end of the interval, or (then kind is REGION_EMPTY) inside it, det(F', F'') is 0
-                    for every d, or the curve stands still */
+    bool strict; /* false: at an end of the interval, or (then kind is REGION_EMPTY) inside it, det(F', F'')
+                    is 0 for every d, or the curve stands still */
     bool certified; /* region_solve says what that means */
     int count;
     real area;                /* of a bounded region */
@@ -169,6 +169,27 @@ real region_distance(const struct region_problem *p, struct region_workspace *w,
                      struct point d);
 struct point region_nearest(const struct region_problem *p, struct region_workspace *w,
                             const struct region *r, struct point d);
+
+/* A family whose basis is no polynomial: all that is asked of its half-planes is a value and a bound. */
+struct region_functions {
+    void *data;
+    /* (A, B, C) at t: d = (x, y) is allowed where A x + B y + C > 0. */
+    void (*line)(void *data, real t, real *out);
+    /* At least the second derivatives of A, B and C in absolute value, anywhere in [lo, hi]. */
+    void (*bend)(void *data, real lo, real hi, real *out);
+    struct point centre; /* where the curve is, and half its size: for coordinates near 1 */
+    real size;
+    struct interval interval;
+    real tolerance; /* as in region_problem, > 0 */
+    int max_steps;  /* values of half-planes */
+};
+
+/* region_cutting for such a family: a polygon that holds the region, none of whose points misses a half-plane
+ * by more than the tolerance; certified says whether that is proved.  Rounding of what `line` returns is not
+ * known here: the tolerance should be well above it.  w was laid out for any degree and one span or more.
+ * SOLVED, INVALID, OUT_OF_STEPS or OUT_OF_ROOM. */
+enum outcome region_cut_functions(const struct region_functions *f, struct region_workspace *w,
+                                  struct region *out);
 
 const char *region_kind_name(enum region_kind kind); /* "empty", "point", ... */
 const char *edge_type_name(enum edge_type type);     /* "line", "arc", "chord" */

@@ -17,7 +17,7 @@ struct arguments {
     int degrees, n[DEGREES_MAX], m[DEGREES_MAX];
     uint64_t count, seed, first;
     bool weights, list;
-    int gap;
+    int gap, gaps;
 };
 
 static const struct argp_option options[] = {
@@ -26,8 +26,12 @@ static const struct argp_option options[] = {
     {"seed", 's', "S", 0, "Seed; the same seed gives the same cases everywhere (default 1)", 0},
     {"first", 'f', "I", 0, "Number of the first case (default 0)", 0},
     {"weights", 'w', NULL, 0, "Rational curves; the same as FAMILY_rational", 0},
-    {"gap", 'g', "J", 0,
-     "near_tangent: every gap 2^-J, 5 <= J <= 50 (default: they change from case to case)", 0},
+    {"gap", 'g', "J[-K]", 0,
+     "near_tangent: every gap 2^-J, or those from 2^-J to 2^-K in turn, 5 <= J <= K <= 100 (default: from "
+     "case "
+     "to case others, down to 2^-50); beyond 2^-50 coordinates need more than a double and come as fractions "
+     "only",
+     0},
     {"fonts", 'F', "A,B,...", 0,
      "glyphs: families to overlay (default DejaVu Sans,DejaVu Serif,Latin Modern Roman)", 1},
     {"letters", 'L', "TEXT", 0, "glyphs: letters to take (default a-z, A-Z, 0-9 and &)", 1},
@@ -66,6 +70,19 @@ static void parse_degrees(struct argp_state *state, const char *text, struct arg
     }
 }
 
+static void parse_gaps(struct argp_state *state, const char *text, struct arguments *a)
+{
+    char *end;
+    long lo = strtol(text, &end, 10), hi = lo;
+    bool good = end > text;
+    if (good && *end == '-')
+        hi = strtol(text = end + 1, &end, 10), good = end > text;
+    if (!good || *end || lo < 5 || hi < lo || hi > 100)
+        argp_error(state, "--gap: expected J or J-K with 5 <= J <= K <= 100");
+    a->gap = (int)lo;
+    a->gaps = (int)(hi - lo) + 1;
+}
+
 static error_t parse_option(int key, char *text, struct argp_state *state)
 {
     struct arguments *a = state->input;
@@ -83,9 +100,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         a->first = parse_number(state, "first", text, UINT64_MAX);
         break;
     case 'g':
-        a->gap = (int)parse_number(state, "gap", text, 50);
-        if (a->gap < 5)
-            argp_error(state, "--gap: '%s', expected 5 to 50", text);
+        parse_gaps(state, text, a);
         break;
     case 'w':
         a->weights = true;
@@ -146,7 +161,8 @@ static const struct family *find_family(const char *name, bool *weights)
 static int generate(const struct family *family, const struct arguments *a, int n, int m, struct draft *d)
 {
     char why[160], name[96];
-    struct request r = {.n = n, .m = m, .weights = a->weights || family->own_weights, .gap = a->gap};
+    struct request r = {
+        .n = n, .m = m, .weights = a->weights || family->own_weights, .gap = a->gap, .gaps = a->gaps};
     snprintf(name, sizeof name, "%s%s", family->name, a->weights && !family->own_weights ? "_rational" : "");
     if (family_refuses(family, n, m, r.weights, why)) {
         fprintf(stderr, "fatline generate: %s\n", why);
@@ -191,16 +207,16 @@ static int generate_all(struct arguments *a)
 
 int main(int argc, char **argv)
 {
-    static const struct argp argp = {
-        options,
-        parse_option,
-        "FAMILY",
-        "Write case lines of a family, one JSON object a line.\v"
-        "Every coordinate is a double exactly.  datasets/README.md has the grammar of a "
-        "line and the construction of each family.",
-        NULL,
-        NULL,
-        NULL};
+    static const struct argp argp = {options,
+                                     parse_option,
+                                     "FAMILY",
+                                     "Write case lines of a family, one JSON object a line.\v"
+                                     "Every coordinate is a double exactly, but for gaps beyond 2^-50.  "
+                                     "datasets/README.md has the grammar of a "
+                                     "line and the construction of each family.",
+                                     NULL,
+                                     NULL,
+                                     NULL};
     struct arguments a = {.count = 1,
                           .seed = 1,
                           .fonts = "DejaVu Sans,DejaVu Serif,Latin Modern Roman",

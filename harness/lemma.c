@@ -28,7 +28,7 @@ static const char documentation[] = "Measure the exponents and constants of the 
                                     "by each algorithm, C_f x^(k+1) from boxes with y = x^6 and C_g y^2 from "
                                     "boxes with x = y^1.6; k is what the exponent "
                                     "says, and the constants expected are those for delta as a length "
-                                    "(scalar: for its component across the fat line). "
+                                    "(scalar: for the range of its component across the fat line). "
                                     "bound: least and largest part of C_f x^(k+1) + C_g y^2 that is used, "
                                     "over boxes of eight shapes. printed: order "
                                     "of the sweep that cuts both curves from the same boxes, as inequality "

@@ -150,7 +150,7 @@ static void line_up(const struct time_settings *s, struct external *external, st
     }
     if (s->batch) {
         contender[n].name = s->batch_name;
-        contender[n].algorithm = intersector_find("certified");
+        contender[n].algorithm = batch_algorithm;
         contender[n].variant = s->variant;
         contender[n++].batch = true;
     }

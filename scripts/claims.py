@@ -146,17 +146,59 @@ def judge_cost(claim):
     return Measured(verdict, f"logarithmic in {sum(good)}, {slopes} a bit", len(long), len(rows))
 
 
-def judge_steps(claim):
-    """The most steps of a case; a solve that ran out of steps counts with those it had."""
+def case_number(row):
+    return int(row["id"].rsplit("-", 1)[1])
+
+
+def step_rows(claim):
+    """Those with as many boxes as the claim is about; boxes_by_parity: of even cases and of odd ones."""
     rows = [r for r in claim.rows if "steps" in r and r["boxes"] <= claim.rules.get("boxes", math.inf)]
+    boxes = claim.rules.get("boxes_by_parity")
+    return [r for r in rows if r["boxes"] == boxes[case_number(r) % 2]] if boxes else rows
+
+
+def judge_steps(claim):
+    """The most steps of a case, or the median; a solve that ran out of steps counts with those it had."""
+    rows = step_rows(claim)
     if not rows:
         return Measured("inconclusive", "-", 0, 0)
-    most = max(r["steps"] for r in rows)
+    most, middle = max(r["steps"] for r in rows), statistics.median(r["steps"] for r in rows)
+    value = middle if claim.rules.get("statistic") == "median" else most
     above = claim.rules.get("sign") == "above"
     solved = all(r["outcome"] == "SOLVED" for r in rows)
-    holds = most > claim.value if above else most <= claim.value and solved
-    return Measured("holds" if holds else "fails", f"at most {most}, median "
-                    f"{statistics.median(r['steps'] for r in rows):g}", len(rows), len(rows))
+    holds = value > claim.value if above else value <= claim.value and solved
+    return Measured("holds" if holds else "fails", f"at most {most}, median {middle:g}", len(rows), len(rows))
+
+
+def judge_growth(claim):
+    """Median steps of the late cases less that of the early ones."""
+    rows = step_rows(claim)
+    early, late = ([r["steps"] for r in rows if lo <= case_number(r) <= hi]
+                   for lo, hi in (claim.rules["early"], claim.rules["late"]))
+    if not early or not late:
+        return Measured("inconclusive", "-", 0, 0)
+    a, b = statistics.median(early), statistics.median(late)
+    holds = b - a > claim.value if claim.rules.get("sign") == "above" else b - a <= claim.value
+    return Measured("holds" if holds else "fails", f"from {a:g} to {b:g}", len(early) + len(late), len(early) + len(late))
+
+
+def judge_step_ratio(claim):
+    """Steps of the first algorithm of the command over those of the second, case by case: is the median as claimed?"""
+    steps = {}
+    for r in claim.rows:
+        if "steps" in r:
+            steps.setdefault(r["id"], []).append(r["steps"])
+    ratios = [a / b for a, b in steps.values()]
+    holds = ratios and abs(statistics.median(ratios) - claim.value) <= claim.rules["within"] * claim.value
+    return Measured("holds" if holds else "fails", in_range(ratios, ".2f"), len(ratios), len(ratios))
+
+
+def judge_lost(claim):
+    """What `fatline check` says of all classes, of the algorithm that ends the claim's id."""
+    found = next(r for r in claim.rows if r["class"] == "all classes" and claim.id.endswith(r["algorithm"]))
+    missed = found["missed"] + found["broken"]
+    return Measured("holds" if missed == 0 else "fails", f"{missed} missed, {found['wrong']} of the pairs wrong",
+                    found["cases"], found["cases"])
 
 
 def judge_lemma(claim):
@@ -177,7 +219,16 @@ def judge_roots(claim):
     return judge_values(values, len(values), claim.value, claim.rules["within"] * claim.value)
 
 
-JUDGES = {"order": judge_order, "clips": judge_clips, "linear": judge_linear, "cost": judge_cost, "steps": judge_steps,
+def judge_ratio(claim):
+    """Is field over another never below the value?"""
+    rows = [r for r in claim.rows if r.get("statement") in claim.rules["statements"]]
+    values = [r[claim.rules["field"]] / r[claim.rules["over"]] for r in rows if r[claim.rules["field"]] and r[claim.rules["over"]]]
+    holds = values and min(values) >= claim.value
+    return Measured("holds" if holds else "fails", in_range(values, ".2f"), len(values), len(rows))
+
+
+JUDGES = {"growth": judge_growth, "step_ratio": judge_step_ratio, "lost": judge_lost, "ratio": judge_ratio,
+          "order": judge_order, "clips": judge_clips, "linear": judge_linear, "cost": judge_cost, "steps": judge_steps,
           "lemma": judge_lemma, "roots": judge_roots}
 
 
@@ -203,16 +254,31 @@ def jobs_of(chosen, everything):
             for command in dict.fromkeys(c.command for c in chosen)]
 
 
+def check_rows(text):
+    """The table of `fatline check` as rows."""
+    names = ["cases", "right", "wrong", "stopped", "not_taken", "unjudged", "broken", "missed", "extra", "duplicate",
+             "merged", "undecided", "steps"]
+    rows, kind = [], None
+    for line in text.splitlines():
+        if " cases " in line:
+            kind = line[:line.index(" cases ")].strip()
+        elif line.strip() and kind:
+            name, *values = line.split()
+            rows.append({"class": kind, "algorithm": name, **{k: int(v) for k, v in zip(names, values)}})
+    return rows
+
+
 def measure(job):
-    """None, or why the command failed."""
+    """None, or why the command failed.  `fatline check` ends with 1 if an answer is wrong in any way."""
     begun = time.monotonic()
     ended = run(["/bin/sh", "-c", job.command], env={"PATH": f"{ROOT / 'build'}:{os.environ['PATH']}"})
     seconds = time.monotonic() - begun
-    if ended.returncode != 0:
+    lost = any(claim.kind == "lost" for claim in job.claims)
+    if ended.returncode not in ((0, 1) if lost else (0,)):
         return f"status {ended.returncode}: {ended.stderr.strip()[-500:]}"
+    rows = check_rows(ended.stdout) if lost else [json.loads(line) for line in ended.stdout.splitlines()]
     RAW.mkdir(parents=True, exist_ok=True)
-    (RAW / f"{job.name}.jsonl").write_text(ended.stdout)
-    rows = [json.loads(line) for line in ended.stdout.splitlines()]
+    (RAW / f"{job.name}.jsonl").write_text("".join(json.dumps(r) + "\n" for r in rows) if lost else ended.stdout)
     for claim in job.claims:
         claim.rows, claim.seconds = rows, seconds
     return None
@@ -228,8 +294,12 @@ def expected(claim):
         return "linear"
     if claim.kind == "cost" and claim.value == 0:
         return "logarithmic"
-    if claim.kind == "steps":
+    if claim.kind in ("steps", "growth"):
         return ("> " if claim.rules.get("sign") == "above" else "<= ") + number_text(claim.value)
+    if claim.kind == "lost":
+        return "0 missed"
+    if claim.kind == "ratio":
+        return ">= " + number_text(claim.value)
     if "against" in claim.rules:
         return "theory"
     return number_text(claim.value)

@@ -14,7 +14,7 @@ PURE = [p for p in SOURCES if p.parts[0] == "algorithms" and "peers" not in p.pa
 
 CLANG_FORMAT = 14  # Debian 12's
 
-SYSTEM_HEADERS = {"float.h", "limits.h", "math.h", "quadmath.h", "stdbool.h", "stddef.h", "stdint.h", "string.h"}
+SYSTEM_HEADERS = {"float.h", "immintrin.h", "limits.h", "math.h", "quadmath.h", "stdbool.h", "stddef.h", "stdint.h", "string.h"}
 SYSTEM_HEADERS_OF = {"algorithms/core/real_multi.hpp": {"mpfr.h", "gmp.h", "cmath", "cstddef", "cstdint", "cstring",
                                                         "cfloat", "climits", "compare", "concepts", "type_traits"}}
 FORBIDDEN_CALLS = re.compile(r"\b(malloc|calloc|realloc|free|alloca|aligned_alloc|printf|fprintf|puts|fopen|fwrite"
@@ -22,11 +22,11 @@ FORBIDDEN_CALLS = re.compile(r"\b(malloc|calloc|realloc|free|alloca|aligned_allo
 # What each folder of algorithms/ may include, as folders and files of algorithms/.
 MAY_INCLUDE = {
     "core": ("core/",),
-    "intersect": ("core/", "bezier.h", "crossings.h"),
+    "intersect": ("core/", "bezier.h", "batch.h", "crossings.h"),
     "curvature": ("core/", "curvature/", "bezier.h", "region.h", "list.h"),
-    "library": ("core/", "library/", "bezier.h", "region.h", "fatline.h"),
-    "paths": ("core/", "paths/", "bezier.h", "path.h"),
-    "": ("core/", "bezier.h", "region.h", "list.h", "crossings.h"),
+    "library": ("core/", "library/", "bezier.h", "batch.h", "path.h", "region.h", "fatline.h"),
+    "paths": ("core/", "paths/", "bezier.h", "batch.h", "path.h"),
+    "": ("core/", "bezier.h", "batch.h", "region.h", "list.h", "crossings.h"),
 }
 # The loop of the cell algorithms belongs to core/ though it speaks of problems and crossings.
 MAY_INCLUDE_OF = {"algorithms/core/cells." + suffix: ("core/", "bezier.h", "crossings.h") for suffix in "ch"}

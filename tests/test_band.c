@@ -230,12 +230,35 @@ static void test_sets(void **state)
     }
 }
 
+/* -(1 - t)^2 + d^2 and its mirror image, degrees 2 to 5: beside its stationary point at an end the polynomial
+ * is small for long, and what is kept is d wide nevertheless, down to where d^2 is rounding. */
+static void test_stationary_end(void **state)
+{
+    (void)state;
+    for (int e = 1; 2 * e < REAL_BITS - 12; e++)
+        for (int k = 2; k <= DEGREE; k++) {
+            real d = real_ldexp(1, -e), c[DEGREE + 1] = {d * d - 1, d * d, d * d}, mirrored[DEGREE + 1];
+            struct band kept, other;
+            bernstein_elevate(2, c, k - 2, c);
+            for (int i = 0; i <= k; i++)
+                mirrored[i] = c[k - i];
+            band_above(k, c, &kept);
+            band_above(k, mirrored, &other);
+            if (kept.count != 1 || kept.hi[0] < 1 || kept.hi[0] - kept.lo[0] > 2 * d)
+                fail_msg("degree %d, 2^-%d: %d intervals, not one to the end", k, e, kept.count);
+            if (other.count != 1 || other.lo[0] > 0 || other.hi[0] > 2 * d)
+                fail_msg("degree %d, 2^-%d, mirrored: %d intervals, not one from the start", k, e,
+                         other.count);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_above),
         cmocka_unit_test(test_close),
         cmocka_unit_test(test_sets),
+        cmocka_unit_test(test_stationary_end),
     };
     return cmocka_run_group_tests_name("band", tests, NULL, NULL);
 }

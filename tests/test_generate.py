@@ -173,7 +173,7 @@ def check_gap(line):
         return
     f, g, gap = points(line["f"]), points(line["g"]), Fraction(line["gap"])
     t, s = map(Fraction, line["contact"])
-    assert abs(gap).numerator == 1 and 5 <= gap.denominator.bit_length() - 1 <= 50, f"gap {gap}"
+    assert abs(gap).numerator == 1 and 5 <= gap.denominator.bit_length() - 1 <= 100, f"gap {gap}"
     (x, y), (a, b) = value(f, t), value(g, s)
     assert sorted([abs(a - x), abs(b - y)]) == [0, abs(gap)], "the gap is not where it is said"
     g = [(p[0] - (a - x) * p[2], p[1] - (b - y) * p[2], p[2]) for p in g]
@@ -253,6 +253,21 @@ def gaps_of_both_signs():
     assert abs(Fraction(one["gap"])) == Fraction(1, 2**50)
 
 
+def gaps_beyond_doubles():
+    """Lines without doubles, the gap exact; pairs that meet and pairs that do not, with weights too."""
+    for name in ("near_tangent", "near_tangent_rational"):
+        lines = [json.loads(a) for a in generate(name, "--degree", "3,5", "--gap", "51-100", "--count", 20, "--first",
+                                                 90).stdout.splitlines()]
+        assert len(lines) == 40
+        for index, line in enumerate(lines):
+            assert Fraction(line["gap"]).denominator == 2**(51 + (90 + index % 20) // 2 % 50), line["id"]
+            assert "f64" not in line["f"] and "w64" not in line["g"], line["id"]
+            rounded = any(Fraction(a) != Fraction(float(Fraction(a))) for p in line["g"]["points"] for a in p)
+            assert rounded or Fraction(line["gap"]).denominator < 2**60, line["id"]
+            check_gap(line)
+    assert generate("near_tangent", "--gap", "50-49").returncode == 64
+
+
 def glyphs_are_integers():
     answer = generate("glyphs", "--count", 200, "--seed", 3)
     if answer.returncode == 2 and "not installed" in answer.stderr:
@@ -277,7 +292,7 @@ def mistakes_are_told():
                                      (64, "from degrees", ["contact_4", "--degree", "2"]),
                                      (64, "no rational variant", ["nine", "--weights"]),
                                      (64, "--count", ["random", "--count", "-1"]),
-                                     (64, "--gap", ["near_tangent", "--gap", "51"]),
+                                     (64, "--gap", ["near_tangent", "--gap", "101"]),
                                      (64, "which family", []),
                                      (2, "not installed", ["glyphs", "--fonts", "DejaVu Sans,Nobody's Font"])]:
         answer = generate(*arguments)
@@ -331,8 +346,8 @@ def published_is_true():
 def main():
     tests = [(f"family {name}", lambda name=name: family_holds(name)) for name in families()]
     tests += [(test.__name__, test) for test in (seeds_differ, bytes_are_these, sweep_keeps_parameters,
-                                                 gaps_of_both_signs, glyphs_are_integers, mistakes_are_told,
-                                                 quick_list_agrees_with_truth, published_is_true)]
+                                                 gaps_of_both_signs, gaps_beyond_doubles, glyphs_are_integers,
+                                                 mistakes_are_told, quick_list_agrees_with_truth, published_is_true)]
     only, failed = sys.argv[1:], 0
     tests = [one for one in tests if not only or any(word in one[0] for word in only)]
     for number, (name, test) in enumerate(tests, 1):

@@ -194,14 +194,25 @@ static void no_pair_is_lost(void **state)
 
 /* ---- the answer is that of the pairs ---- */
 
-/* All pairs of segments by problem_solve; every record must be one of the job's, bit for bit, or lie in one
- * that was joined, and there must be no others. */
+static bool spans_touch(const struct path_span *p, const struct path_span *q)
+{
+    return p->first == q->first && p->last == q->last && p->lo <= q->hi && q->lo <= p->hi;
+}
+
+static bool is_record(const struct path_record *q, int i, int j, const struct crossing *c)
+{
+    struct path_span t = {i, i, c->t.lo, c->t.hi}, s = {j, j, c->s.lo, c->s.hi};
+    return spans_touch(&q->a, &t) && spans_touch(&q->b, &s) && q->standing == c->standing;
+}
+
+/* All pairs of segments by problem_solve; every record must be one of the job's (its intervals meet that
+ * one's, and they are of one standing), or lie in one that was joined, and there must be no others. */
 static void check_pairs(const struct path_job *job)
 {
     const struct path *a = &job->a->path, *b = job->b ? &job->b->path : a;
     struct crossings *found = (struct crossings *)malloc(sizeof *found);
     struct workspace w;
-    const struct intersector *used[] = {path_pairs, NULL};
+    const struct intersector *certified = intersector_find("certified"), *used[] = {certified, NULL};
     struct problem p;
     int plain = 0, expected = 0;
     workspace_make(&w, used, 3, 3, 1);
@@ -214,25 +225,22 @@ static void check_pairs(const struct path_job *job)
                 continue;
             p.f = a->segment[i];
             p.g = b->segment[j];
-            assert_int_equal(problem_solve(&p, path_pairs, &w, found), SOLVED);
+            assert_int_equal(problem_solve(&p, certified, &w, found), SOLVED);
             for (int k = 0; k < found->count; k++) {
                 const struct crossing *c = &found->at[k];
                 bool end = c->t.lo == 0 || c->t.hi == 1 || c->s.lo == 0 || c->s.hi == 1, held = false;
                 real t = (c->t.lo + c->t.hi) / 2, s = (c->s.lo + c->s.hi) / 2;
                 expected += !end;
                 for (int r = 0; r < job->records.count && !held; r++) {
-                    const struct path_record *q = &job->records.at[r];
-                    held = end ? is_in(&q->a, i, t) && is_in(&q->b, j, s)
-                               : q->a.first == i && q->b.first == j && q->a.lo == c->t.lo &&
-                                     q->a.hi == c->t.hi && q->b.lo == c->s.lo && q->b.hi == c->s.hi &&
-                                     q->standing == c->standing;
+                    const struct path_record *q = &job->records.at[job->records.order[r]];
+                    held = end ? is_in(&q->a, i, t) && is_in(&q->b, j, s) : is_record(q, i, j, c);
                 }
                 if (!held && !(end && c->standing == END))
                     fail_msg("segments %d and %d: record %d is not among those of the paths", i, j, k);
             }
         }
     for (int r = 0; r < job->records.count; r++) {
-        const struct path_record *q = &job->records.at[r];
+        const struct path_record *q = &job->records.at[job->records.order[r]];
         bool neighbours = !job->b && (a->next[q->a.first] == q->b.first || q->a.first == q->b.first);
         plain += !neighbours && q->a.lo > 0 && q->a.hi < 1 && q->b.lo > 0 && q->b.hi < 1 &&
                  q->a.first == q->a.last && q->b.first == q->b.last;
@@ -262,6 +270,37 @@ static void pairs_are_all(void **state)
     }
 }
 
+/* Every segment of a meets every one of b in nine places: more records than a batch of pairs has room for. */
+static void room_is_found(void **state)
+{
+    const real across[4] = {-1, (real)-1 / 3, (real)1 / 3, 1}, swing[4] = {-9, 45, -45, 9};
+    const int copies = REAL_BITS > 113 ? 3 : REAL_BITS > 53 ? 12 : 40;
+    struct path_set set = {0, 0, NULL};
+    struct path_job job;
+    (void)state;
+    for (int side = 0; side < 2; side++) {
+        struct path_draft d;
+        path_draft_begin(&d, "swings");
+        for (int k = 0; k < copies; k++) {
+            real c[8];
+            for (int i = 0; i < 4; i++) {
+                c[4 * side + i] = across[i];
+                c[4 - 4 * side + i] = swing[i] / 8 + (real)k / 4096;
+            }
+            add(&d, 3, c);
+        }
+        path_draft_end(&d, &set);
+    }
+    job_of(&job, &set.at[0], &set.at[1]);
+    assert_int_equal(job.records.count, 9 * copies * copies);
+    for (int r = 0; r < job.records.count; r++) {
+        assert_int_equal(job.records.at[job.records.order[r]].a.first, r / (9 * copies));
+        assert_int_equal(job.records.at[job.records.order[r]].standing, UNIQUE);
+    }
+    path_job_clear(&job);
+    path_set_clear(&set);
+}
+
 /* ---- cut, turned, exchanged ---- */
 
 /* Parameter of the whole curve of a place on one of its `count` equal pieces. */
@@ -270,31 +309,66 @@ static real whole(int count, int segment, real t)
     return (segment + t) / count;
 }
 
-/* Of pairs of cubics in pieces: as many records as of the whole curves, all simple, at the same parameters.
- */
-static void check_same(const struct crossings *c, const struct path_job *job, long seed)
+/* Two records of one pair that each hold one solution, and meet, count once here: the pair's solver may tell
+ * a solution next to one of its cuts twice. */
+static int records_apart(const struct path_records *p)
 {
-    int n = job->a->path.count, m = job->b->path.count;
-    bool used[CROSSINGS_MAX];
-    if (job->records.count != c->count)
-        fail_msg("run %ld, %d x %d pieces: %d records, expected %d", seed, n, m, job->records.count,
-                 c->count);
-    memset(used, 0, sizeof used);
-    for (int r = 0; r < c->count; r++) {
-        const struct path_record *q = &job->records.at[r];
-        bool found = false;
-        assert_int_equal(q->standing, c->at[r].standing == END ? END : UNIQUE);
-        for (int k = 0; k < c->count && !found; k++) {
-            const struct crossing *x = &c->at[k];
-            found = !used[k] && whole(n, q->a.first, q->a.lo) <= x->t.hi + REAL_EPSILON &&
-                    x->t.lo <= whole(n, q->a.last, q->a.hi) + REAL_EPSILON &&
-                    whole(m, q->b.first, q->b.lo) <= x->s.hi + REAL_EPSILON &&
-                    x->s.lo <= whole(m, q->b.last, q->b.hi) + REAL_EPSILON;
-            used[k] = used[k] || found;
-        }
-        if (!found)
-            fail_msg("run %ld, %d x %d pieces: record %d is no crossing of the whole", seed, n, m, r);
+    int count = 0;
+    for (int r = 0; r < p->count; r++) {
+        bool doubled = false;
+        for (int k = 0; k < r; k++)
+            doubled = doubled || (spans_touch(&p->at[p->order[r]].a, &p->at[p->order[k]].a) &&
+                                  spans_touch(&p->at[p->order[r]].b, &p->at[p->order[k]].b));
+        count += !doubled;
     }
+    return count;
+}
+
+static bool is_crossing(int n, int m, const struct path_record *q, const struct crossing *x)
+{
+    return whole(n, q->a.first, q->a.lo) <= x->t.hi + REAL_EPSILON &&
+           x->t.lo <= whole(n, q->a.last, q->a.hi) + REAL_EPSILON &&
+           whole(m, q->b.first, q->b.lo) <= x->s.hi + REAL_EPSILON &&
+           x->s.lo <= whole(m, q->b.last, q->b.hi) + REAL_EPSILON;
+}
+
+/* Of pairs of cubics in pieces: every crossing of the whole curves is there, at the same parameters; and
+ * where all is decided, which may fail where they nearly touch, there are as many records, each simple. */
+static void check_same(const struct crossings *c, const struct path_job *job, long seed, int *undecided)
+{
+    int n = job->a->path.count, m = job->b->path.count, count = records_apart(&job->records);
+    bool simple = true, seen[CROSSINGS_MAX];
+    memset(seen, 0, sizeof seen);
+    for (int r = 0; r < job->records.count; r++) {
+        const struct path_record *q = &job->records.at[job->records.order[r]];
+        simple = simple && q->standing == UNIQUE;
+        for (int k = 0; k < c->count; k++)
+            seen[k] = seen[k] || (is_crossing(n, m, q, &c->at[k]));
+    }
+    for (int k = 0; k < c->count; k++) {
+        simple = simple && c->at[k].standing == UNIQUE;
+        if (!seen[k])
+            fail_msg("run %ld, %d x %d pieces: crossing %d of the whole is not among them", seed, n, m, k);
+    }
+    if (simple && count != c->count)
+        fail_msg("run %ld, %d x %d pieces: %d records, expected %d", seed, n, m, count, c->count);
+    *undecided += !simple;
+}
+
+/* Two records of a pair of which each holds one solution, and that meet, are told as one here: which of the
+ * two a path takes is open. */
+static void drop_doubles(struct crossings *c)
+{
+    int kept = 0;
+    for (int k = 0; k < c->count; k++) {
+        bool doubled = false;
+        for (int i = 0; i < kept; i++)
+            doubled = doubled || (c->at[i].t.lo <= c->at[k].t.hi && c->at[k].t.lo <= c->at[i].t.hi &&
+                                  c->at[i].s.lo <= c->at[k].s.hi && c->at[k].s.lo <= c->at[i].s.hi);
+        if (!doubled)
+            c->at[kept++] = c->at[k];
+    }
+    c->count = kept;
 }
 
 static bool all_simple(const struct crossings *c)
@@ -307,7 +381,7 @@ static bool all_simple(const struct crossings *c)
 
 static void solve_whole(const real f[8], const real g[8], struct crossings *found)
 {
-    const struct intersector *used[] = {path_pairs, NULL};
+    const struct intersector *certified = intersector_find("certified"), *used[] = {certified, NULL};
     struct problem p;
     struct workspace w;
     workspace_make(&w, used, 3, 3, 1);
@@ -321,32 +395,35 @@ static void solve_whole(const real f[8], const real g[8], struct crossings *foun
     p.f.domain.lo = p.g.domain.lo = 0;
     p.tolerance = (real)1 / 1000000000000;
     p.max_steps = STEPS_MAX;
-    assert_int_equal(problem_solve(&p, path_pairs, &w, found), SOLVED);
+    assert_int_equal(problem_solve(&p, certified, &w, found), SOLVED);
     workspace_clear(&w);
 }
 
-/* g is moved so that, in three runs of four, it passes through a joint of f: with a joint of its own, or
- * inside a segment. */
+/* g is moved so that, in three runs of four, it passes through a joint of f, with a joint of its own or
+ * inside a segment, or closely by. */
 static void cutting_changes_nothing(void **state)
 {
     struct crossings *found = (struct crossings *)malloc(sizeof *found);
-    int tried = 0;
+    int tried = 0, undecided = 0;
     (void)state;
-    for (int run = 0; run < 20 * RUNS; run++) {
+    for (int run = 0; run < 75 * RUNS; run++) {
         struct random_state r = random_for(2, "cut", (uint64_t)run);
         real f[8], g[8], f_left[8], f_right[8], g_left[8], g_right[8];
         random_cubic(&r, f);
         random_cubic(&r, g);
+        const int near = run % 8 == 3 ? 8 : 40000;
         for (int k = 0; k < 8; k += 4) {
             halve(f + k, f_left + k, f_right + k);
             halve(g + k, g_left + k, g_right + k);
             real move = run % 4 == 0 ? (real)0 : f_left[k + 3] - g_left[k + 3];
+            move += run % 4 == 3 ? real_ldexp((real)(double)random_between(&r, -near, near), -44) : (real)0;
             for (int i = 0; i < 4; i++)
                 g[k + i] += move;
         }
         solve_whole(f, g, found);
         if (!all_simple(found))
             continue;
+        drop_doubles(found);
         tried++;
         for (int cuts = 0; cuts <= 2; cuts++) {
             struct path_set set = {0, 0, NULL};
@@ -354,17 +431,16 @@ static void cutting_changes_nothing(void **state)
             pieces(&set, f, cuts);
             pieces(&set, g, run % 4 == 2 ? 0 : 2 - cuts / 2);
             job_of(&job, &set.at[0], &set.at[1]);
-            check_same(found, &job, run);
+            check_same(found, &job, run, &undecided);
             path_job_clear(&job);
             path_set_clear(&set);
         }
     }
-    assert_true(tried >= 16 * RUNS);
+    assert_true(tried >= 60 * RUNS && undecided * 50 < tried);
     free((void *)found);
 }
 
-/* The same bits where a and b are exchanged, or both are twice as large; the same records where a is
- * reversed. */
+/* The same records where a and b are exchanged. */
 static void check_exchanged(const struct path_job *job, const struct path_job *other)
 {
     const struct path_records *p = &job->records, *q = &other->records;
@@ -372,8 +448,9 @@ static void check_exchanged(const struct path_job *job, const struct path_job *o
     for (int r = 0; r < p->count; r++) {
         bool found = false;
         for (int k = 0; k < q->count && !found; k++)
-            found = p->at[r].a.first == q->at[k].b.first && p->at[r].a.lo == q->at[k].b.lo &&
-                    p->at[r].b.hi == q->at[k].a.hi && p->at[r].standing == q->at[k].standing;
+            found = spans_touch(&p->at[p->order[r]].a, &q->at[q->order[k]].b) &&
+                    spans_touch(&p->at[p->order[r]].b, &q->at[q->order[k]].a) &&
+                    p->at[p->order[r]].standing == q->at[q->order[k]].standing;
         if (!found)
             fail_msg("record %d has no partner where the paths are exchanged", r);
     }
@@ -406,15 +483,15 @@ static void check_moved(const struct path_job *job, const struct path_job *other
     assert_int_equal(p->count, q->count);
     for (int r = 0; r < p->count; r++) {
         bool found = false;
-        const struct path_span *s = &p->at[r].a;
+        const struct path_span *s = &p->at[p->order[r]].a;
         real lo = s->first + s->lo, hi = s->last + s->hi;
         for (int k = 0; k < q->count && !found; k++) {
-            const struct path_span *o = &q->at[k].a;
+            const struct path_span *o = &q->at[q->order[k]].a;
             real olo = reversed ? n - (o->last + o->hi) : o->first + o->lo;
             real ohi = reversed ? n - (o->first + o->lo) : o->last + o->hi;
-            found = same_bits ? lo == olo && hi == ohi && p->at[r].b.lo == q->at[k].b.lo
+            found = same_bits ? lo == olo && hi == ohi && p->at[p->order[r]].b.lo == q->at[q->order[k]].b.lo
                               : lo <= ohi + n * REAL_EPSILON && olo <= hi + n * REAL_EPSILON &&
-                                    p->at[r].standing == q->at[k].standing;
+                                    p->at[p->order[r]].standing == q->at[q->order[k]].standing;
         }
         if (!found)
             fail_msg("record %d has no partner%s", r, reversed ? " on the reversed path" : "");
@@ -490,9 +567,10 @@ static int records_alone(const struct loaded_path *p, struct path_record *first,
     assert_int_equal(job.solver.unsolved, 0);
     assert_int_equal(job.records.overlaps, overlaps);
     for (int r = 0; r < count; r++)
-        assert_true(job.records.at[r].standing == UNIQUE || job.records.at[r].overlap >= 0);
+        assert_true(job.records.at[job.records.order[r]].standing == UNIQUE ||
+                    job.records.at[job.records.order[r]].overlap >= 0);
     if (count > 0)
-        *first = job.records.at[0];
+        *first = job.records.at[job.records.order[0]];
     path_job_clear(&job);
     return count;
 }
@@ -529,7 +607,7 @@ static void loops_of_cubics(void **state)
         job_of(&job, &set.at[0], NULL);
         int count = job.records.count;
         if (count > 0)
-            x = job.records.at[0];
+            x = job.records.at[job.records.order[0]];
         path_job_clear(&job);
         if (count != (inside && !joint))
             fail_msg("run %d, t1 = %d/16, t2 = %d/16: %d records", run, k1, k2, count);
@@ -588,7 +666,8 @@ static void check_squares(int dx, int dy, int crossings, int overlaps)
     polyline(&set, 5, u, v);
     job_of(&job, &set.at[0], &set.at[1]);
     for (int r = 0; r < job.records.count; r++)
-        simple += job.records.at[r].overlap < 0 && job.records.at[r].chain == 0;
+        simple += job.records.at[job.records.order[r]].overlap < 0 &&
+                  job.records.at[job.records.order[r]].chain == 0;
     if (simple != crossings || job.records.overlaps != overlaps)
         fail_msg("squares apart by (%d, %d): %d crossings and %d overlaps, expected %d and %d", dx, dy,
                  simple, job.records.overlaps, crossings, overlaps);
@@ -613,6 +692,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_pair_is_lost),
         cmocka_unit_test(pairs_are_all),
+        cmocka_unit_test(room_is_found),
         cmocka_unit_test(cutting_changes_nothing),
         cmocka_unit_test(moves_change_nothing),
         cmocka_unit_test(loops_of_cubics),

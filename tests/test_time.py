@@ -170,6 +170,25 @@ def test_forgiving():
         assert forgiven["pairs"] > 0 and forgiven["missing"] == strict["missing"], forgiven
 
 
+def test_batch():
+    """As right as single calls, in rows of its own; what it does not take is said."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = proved(folder, count=40)
+        for option in ("--batch", "--batch=portable"):
+            found = {row["algorithm"]: row for row in rows_of(fatline("time", "--rows", *QUICK, "-a", "certified", option,
+                                                                      "-b", "certified", path).stdout)}
+            row = found["certified_batch" + option[7:].replace("=", "_")]
+            assert row["protocol"] == "batch" and row["right"] == 40 and row["pairs"] > 0 and row["steps"] == 0, row
+            assert row["ratio"] > 0 and row["ns_max"] > 0 and found["certified"]["pairs"] == row["pairs"]
+            assert "in a batch of its own" in fatline("time", "--human", *QUICK, option, path).stdout
+        high = proved(folder, "nice", 4, degree=5)
+        rows = rows_of(fatline("time", "--rows", *QUICK, "--batch", high).stdout)
+        assert rows[0]["not_taken"] == 4 and rows[0]["pairs"] == 0, rows
+    assert fatline("time", "--batch=sse", path).returncode == 64
+    quad = fatline("time", "--batch=avx2", path, precision="quad")
+    assert quad.returncode == 64 and "has no avx2" in quad.stderr
+
+
 def test_instructions_are_counted():
     if not shutil.which("valgrind"):
         return "valgrind is not installed"

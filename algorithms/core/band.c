@@ -257,9 +257,9 @@ static inline real before_root(int k, const real *c, real largest)
     }
     r = root[count - 1];
     const real error = 32 * REAL_EPSILON;
-    real slope = c[k] - c[0]; /* of the order of the polynomial's own */
+    real scratch[BAND_DEGREE_MAX + 1], slope = c[k] - c[0]; /* of the order of the polynomial's own */
     real pad = 2 * error * largest / slope + 2 * REAL_EPSILON;
-    for (int attempt = 0; attempt < 3; attempt++) {
+    for (int attempt = 0; attempt < 4; attempt++) {
         real t = r - pad;
         if (t <= 0) {
             return 0;
@@ -267,7 +267,8 @@ static inline real before_root(int k, const real *c, real largest)
         if (value(k, c, t) < -error * largest) {
             return t;
         }
-        pad = 32 * pad;
+        bernstein_value_slope(k, c, t, scratch, &slope); /* smaller where a stationary point is near */
+        pad = real_max(32 * pad, slope > 0 ? 2 * error * largest / slope : (real)0);
     }
     return 0;
 }

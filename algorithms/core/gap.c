@@ -110,19 +110,65 @@ static void invert_series(const struct model *x, const struct model *xa, struct 
     }
 }
 
-/* Least and greatest |slope| of m on [-r, r], from its hodograph; each difference errs by twice the rounding.
+/* Where b's parameter and the values of tau lie, about the centre: within [-1, 1] moved, and tau's control
+ * points.  False: farther out than 4. */
+static bool find_reach(const struct model *tau, real centre, struct interval *v)
+{
+    real b[MODEL_MAX + 1],
+        rounding = model_to_bernstein(tau, 1, b) + 4 * REAL_EPSILON * (1 + real_abs(centre));
+    v->lo = -1 - centre;
+    v->hi = 1 - centre;
+    for (int i = 0; i <= tau->k; i++) {
+        v->lo = real_min(v->lo, b[i]);
+        v->hi = real_max(v->hi, b[i]);
+    }
+    v->lo = v->lo - rounding;
+    v->hi = v->hi + rounding;
+    return -4 <= v->lo && v->hi <= 4;
+}
+
+/* Differences d[0..k-1] of m's Bernstein coefficients on [lo, hi], or on a little more, r = max(|lo|, |hi|);
+ * returns a bound of their errors: twice that of model_to_bernstein and of bernstein_restrict, one rounding.
  */
-static void bound_slope(const struct model *m, real r, real *least, real *greatest)
+static real slopes_over(const struct model *m, const struct interval *v, real r, real *d)
 {
     const int k = m->k;
-    real b[MODEL_MAX + 1], error = 2 * model_to_bernstein(m, r, b), lo = b[1] - b[0], most = 0;
-    for (int i = 0; i < k; i++) {
-        lo = real_min(lo, b[i + 1] - b[i]);
-        most = real_max(most, real_abs(b[i + 1] - b[i]));
+    real b[MODEL_MAX + 1], part[MODEL_MAX + 1], rounding = model_to_bernstein(m, r, b), largest = 0;
+    real lo = real_max(0, (v->lo + r) / (2 * r) - 2 * REAL_EPSILON),
+         hi = real_min(1, (v->hi + r) / (2 * r) + 2 * REAL_EPSILON);
+    for (int i = 0; i <= k; i++) {
+        largest = real_max(largest, real_abs(b[i]));
     }
-    const real few = 8 * REAL_EPSILON; /* of the differences and of the quotients below */
-    *least = (lo - error - few * most) * k / (2 * r);
-    *greatest = (most + error + few * most) * k / (2 * r);
+    bernstein_restrict(k, 1, b, lo, hi, part);
+    for (int i = 0; i < k; i++) {
+        d[i] = part[i + 1] - part[i];
+    }
+    return 2 * rounding + (8 * k + 2) * REAL_EPSILON * largest;
+}
+
+/* Bounds over v: X' >= least > 0, |Y'| <= steepest X'.  False if there are none.  The coefficients of the
+ * hodographs carry over to all v: X' >= min d_i, and steepest X' -+ Y' has positive coefficients. */
+static bool bound_slopes(const struct model *x, const struct model *y, const struct interval *v, real *least,
+                         real *steepest)
+{
+    const int k = x->k;
+    const real r = real_max(-v->lo, v->hi);
+    real dx[MODEL_MAX + 1], dy[MODEL_MAX + 1];
+    real error_x = slopes_over(x, v, r, dx), error_y = slopes_over(y, v, r, dy);
+    *least = REAL_HUGE;
+    *steepest = 0;
+    for (int i = 0; i < k; i++) {
+        real d = dx[i] - error_x;
+        if (!(d > 0)) {
+            return false;
+        }
+        *least = real_min(*least, d);
+        *steepest = real_max(*steepest, (real_abs(dy[i]) + error_y) / d);
+    }
+    const real few = 64 * REAL_EPSILON; /* the quotients here, and an interval longer by at most 56 of 2 */
+    *least = *least * (1 - few) * k / (v->hi - v->lo);
+    *steepest += few * *steepest;
+    return true;
 }
 
 /* p(tau) - q: its coefficients, and in rest a bound of what they leave out. */
@@ -168,7 +214,8 @@ bool gap_between(const struct arc *a, const struct arc *b, const struct frame *f
 {
     struct nearby na, nb;
     struct model xa, ya, xb, yb, tau, rest, gap;
-    real centre, least, greatest, unused;
+    struct interval reach;
+    real centre, least, steepest;
     nearby_init(a, f, ra, k, &na);
     nearby_init(b, f, rb, k, &nb);
     model_of_bernstein(na.degree, na.c[0], na.off[0], k, &xa);
@@ -184,22 +231,17 @@ bool gap_between(const struct arc *a, const struct arc *b, const struct frame *f
         return false;
     }
     invert_series(&xb, &xa, &tau);
-    const real few = 1 + 16 * REAL_EPSILON;
-    real reach = few * real_max(1 + real_abs(centre), model_size(&tau, 1));
-    if (!(reach <= 4)) {
-        return false;
-    }
-    bound_slope(&xb, reach, &least, &unused);
-    bound_slope(&yb, reach, &unused, &greatest);
-    if (!(least > 0)) {
+    if (!find_reach(&tau, centre, &reach) || !bound_slopes(&xb, &yb, &reach, &least, &steepest)) {
         return false;
     }
     compose_difference(&xb, &tau, &xa, &rest);
     compose_difference(&yb, &tau, &ya, &gap);
-    real rho = model_size(&rest, 1) + rest.rest;
-    real eta = (rho + model_error(&xa, &xb, centre, reach)) / least;
-    eta += eta / 64;
-    write_gap(&gap, eta * greatest + model_error(&ya, &yb, centre, reach), &tau, centre, eta, out);
+    const real farthest = real_max(-reach.lo, reach.hi);
+    real off = model_size(&rest, 1) + rest.rest + model_error(&xa, &xb, centre, farthest);
+    off += off / 64;
+    real eta = off / least;
+    write_gap(&gap, off * steepest + model_error(&ya, &yb, centre, farthest), &tau, centre, eta + eta / 64,
+              out);
     return true;
 }
 

@@ -2,14 +2,14 @@
  *
  * Theorem.  Let a and b be arcs over u, v in [-1, 1], with coordinates X along and Y across a direction.
  * Suppose that polynomials A, B are within d_X and d_Y of them in these coordinates, that sigma is any
- * polynomial, |X_B(sigma(u)) - X_A(u)| <= rho on [-1, 1], and X_B' >= L > 0 on an interval that holds [-1, 1]
- * and the values of sigma.  If the arcs meet at (u, v), then
+ * polynomial, |X_B(sigma(u)) - X_A(u)| <= rho on [-1, 1], and X_B' >= L > 0 and |Y_B'| <= q X_B' on an
+ * interval that holds [-1, 1] and the values of sigma.  If the arcs meet at (u, v), then
  *
- *     |v - sigma(u)| <= eta = (rho + d_X) / L,  |Y_A(u) - Y_B(sigma(u))| <= eta max |Y_B'| + d_Y.
+ *     |v - sigma(u)| <= eta = (rho + d_X) / L,  |Y_A(u) - Y_B(sigma(u))| <= q (rho + d_X) + d_Y.
  *
- * Proof.  |X_B(v) - X_A(u)| <= d_X, so |X_B(v) - X_B(sigma(u))| <=
- * rho + d_X, and the mean value theorem gives eta; |Y_A(u) - Y_B(v)| <= d_Y and the mean value theorem for
- * Y_B give the other.
+ * Proof.  |X_B(v) - X_A(u)| <= d_X, so |X_B(v) - X_B(sigma(u))| <= rho + d_X, and the mean value theorem
+ * gives eta.  |Y_B(v) - Y_B(sigma(u))| is at most the integral of |Y_B'| between v and sigma(u), so at most q
+ * times that of X_B', which is |X_B(v) - X_B(sigma(u))|; and |Y_A(u) - Y_B(v)| <= d_Y.
  *
  * Order.  Take arcs of length h, A and B of degree k with d = O(h^(k+1)), sigma the power series of degree k
  * of X_B^-1(X_A); all that is dropped is O(h^(k+1)), relative to h in units of u.  At a solution of

@@ -4,6 +4,9 @@
 
 #include "cone.h"
 
+/* Empty, and not certified. */
+void region_clear(struct region *r);
+
 /* A vertex so near the line at infinity that rounding cannot tell it from it, or farther than any use. */
 bool vertex_is_infinite(const real *v, real error);
 

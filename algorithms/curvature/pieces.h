@@ -4,8 +4,8 @@
 
 #include "signs.h"
 
-/* AT_TORSION: cut where M changes its sign.  AT_ALL: also where w3, A or B does, and with the envelopes' forms
- * and types. */
+/* AT_TORSION: cut where M changes its sign.  AT_ALL: also where w3, A or B does, and with the envelopes'
+ * forms and types. */
 enum cuts { AT_TORSION, AT_ALL };
 
 /* Makes k->piece; false: no room. */

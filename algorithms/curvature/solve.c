@@ -272,7 +272,7 @@ enum outcome region_prepare(const struct region_problem *p, struct region_worksp
     return !p->loop_free || chords_make(k) ? SOLVED : OUT_OF_ROOM;
 }
 
-static void region_clear(struct region *r)
+void region_clear(struct region *r)
 {
     const struct point origin = {0, 0};
     r->kind = r->closed_kind = REGION_EMPTY;

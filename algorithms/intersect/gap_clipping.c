@@ -106,23 +106,22 @@ static struct reduction reduction_at(const struct problem *p, const struct works
     return r;
 }
 
-/* Is every piece enough of a gain?  A quarter of the area is left, or less; of a curve that is narrow enough
- * nothing more is asked. */
-static bool is_gain(const struct problem *p, const struct cell *c, int pieces, const struct piece *piece)
+/* What is left of t0 by s0, as a part of its area; of s alone, or of t alone, where the other is narrow
+ * enough. */
+static real part_left(const struct problem *p, const struct interval *t0, const struct interval *s0,
+                      const struct interval *t, const struct interval *s)
 {
-    real t = interval_width(&c->t), s = interval_width(&c->s);
-    bool narrow_t = t <= p->bounds.tolerance_t, narrow_s = s <= p->bounds.tolerance_s, gain = true;
-    for (int i = 0; i < pieces; i++) {
-        real left_t = interval_width(&piece[i].t), left_s = interval_width(&piece[i].s);
-        gain = gain && (narrow_t   ? 2 * left_s < s
-                        : narrow_s ? 2 * left_t < t
-                                   : 4 * (left_t / t) * left_s < s);
+    real whole_t = interval_width(t0), whole_s = interval_width(s0);
+    if (whole_t <= p->bounds.tolerance_t) {
+        return interval_width(s) / whole_s;
     }
-    return gain;
+    real left_t = interval_width(t) / whole_t;
+    return whole_s <= p->bounds.tolerance_s ? left_t : left_t * (interval_width(s) / whole_s);
 }
 
-static inline ALWAYS_INLINE int shrink(int k, const struct problem *p, const struct workspace *w,
-                                       struct cell *c, struct piece piece[PIECES_MAX])
+/* One clip along a chord and one of the gap.  HALVE: neither arc advances along its chord. */
+static inline ALWAYS_INLINE int clip(int k, const struct problem *p, const struct workspace *w,
+                                     const struct cell *c, struct piece piece[PIECES_MAX])
 {
     struct arc f = cell_f(p, c), g = cell_g(p, c);
     struct roles z;
@@ -138,17 +137,38 @@ static inline ALWAYS_INLINE int shrink(int k, const struct problem *p, const str
         return 0;
     }
     struct reduction ra = reduction_at(p, w, k, z.b_is_f), rb = reduction_at(p, w, k, !z.b_is_f);
-    int pieces = 1;
     if (gap_between(&z.a, &z.b, &z.frame, &ra, &rb, k, &gap)) {
-        pieces = clip_gap(&z, &gap, piece);
-    } else {
-        put_piece(&z, &z.at, &z.bt, &piece[0]);
+        return clip_gap(&z, &gap, piece);
     }
-    if (is_gain(p, c, pieces, piece)) {
-        return pieces;
-    }
-    if (pieces == 1) {
+    put_piece(&z, &z.at, &z.bt, &piece[0]);
+    return 1;
+}
+
+/* Every piece must be half of the area or less.  A clip that leaves one piece between that and seven eighths
+ * is repeated on it once: long arcs need that to come within reach of the theorem, and halving makes two. */
+static inline ALWAYS_INLINE int shrink(int k, const struct problem *p, const struct workspace *w,
+                                       struct cell *c, struct piece piece[PIECES_MAX])
+{
+    const struct interval t = c->t, s = c->s;
+    for (int i = 0; i < 2; i++) {
+        real most = 0;
+        int pieces = clip(k, p, w, c, piece);
+        if (pieces <= 0) {
+            return pieces;
+        }
+        for (int j = 0; j < pieces; j++) {
+            most = real_max(most, part_left(p, &t, &s, &piece[j].t, &piece[j].s));
+        }
+        if (2 * most < 1) {
+            return pieces;
+        }
+        if (pieces > 1) {
+            break;
+        }
         cell_narrow(p, c, &piece[0]);
+        if (8 * most > 7) {
+            break;
+        }
     }
     return HALVE;
 }

@@ -13,7 +13,7 @@
  * hybrid_clipping_k clips the wider parameter interval, takes delta for the planar error, and halves both
  * curves when no more than half is removed.  hybrid_clipping_k_arc is the same body with the two-sided scalar
  * delta, the geometrically longer arc clipped and halved, and a test by oriented boxes before it is halved.
- */
+ * hybrid_clipping_k_scalar differs from hybrid_clipping_k in delta alone. */
 #include "../core/band.h"
 #include "../core/cells.h"
 #include "../core/reduce.h"
@@ -23,7 +23,8 @@
 
 struct rules {
     int k;
-    bool arc;         /* the variant: scalar delta, longer arc, oriented boxes */
+    bool scalar;      /* delta: the two-sided scalar one, or the planar one of the papers */
+    bool arc;         /* the variant: longer arc, oriented boxes */
     bool discard_and; /* control: the discard rule as printed */
     real stretch;     /* 1; the length of the normal */
 };
@@ -139,7 +140,7 @@ static inline void clip(const struct rules *rules, const struct reduction *r, co
     struct bounds_of_distance d;
     struct band above, below;
     fat_line(b, a, scale, &line, &s);
-    if (rules->arc) {
+    if (rules->scalar) {
         reduce_scalar(r, &s, a, &d);
     } else {
         reduce_vector(r, &s, a, &d);
@@ -235,11 +236,11 @@ static inline size_t scratch_length(int n, int m, int k)
 }
 
 /* One entry of the registry: its rules, its step, its order per round at contact 1, its name and summary. */
-#define HYBRID(id, degree, variant, rule, wrong_and, margin, stretch, order_, what)                          \
+#define HYBRID(id, degree, scalar_, variant, rule, wrong_and, margin, stretch, order_, what)                 \
     static int id##_shrink(const struct problem *p, const struct workspace *w, struct cell *c,               \
                            struct piece piece[PIECES_MAX])                                                   \
     {                                                                                                        \
-        const struct rules rules = {degree, variant, wrong_and, stretch};                                    \
+        const struct rules rules = {degree, scalar_, variant, wrong_and, stretch};                           \
         return shrink(&rules, p, w, c, piece);                                                               \
     }                                                                                                        \
     static enum outcome id##_intersect(const struct problem *p, struct workspace *w, struct crossings *out)  \
@@ -261,20 +262,24 @@ static inline size_t scratch_length(int n, int m, int k)
         .points_only = false,                                                                                \
     };
 
-HYBRID(hybrid_clipping_1, 1, false, FOUR_WAY, false, 1, 1, 2,
+HYBRID(hybrid_clipping_1, 1, false, false, FOUR_WAY, false, 1, 1, 2,
        "clip a band of degree 1 to the other's fat line")
-HYBRID(hybrid_clipping_2, 2, false, FOUR_WAY, false, 1, 1, 3,
+HYBRID(hybrid_clipping_2, 2, false, false, FOUR_WAY, false, 1, 1, 3,
        "clip a band of degree 2 to the other's fat line")
-HYBRID(hybrid_clipping_3, 3, false, FOUR_WAY, false, 1, 1, 4,
+HYBRID(hybrid_clipping_3, 3, false, false, FOUR_WAY, false, 1, 1, 4,
        "clip a band of degree 3 to the other's fat line")
-HYBRID(hybrid_clipping_1_arc, 1, true, LONGER_ARC, false, 1, 1, 2,
+HYBRID(hybrid_clipping_2_scalar, 2, true, false, FOUR_WAY, false, 1, 1, 3,
+       "degree 2 as published, but for a scalar delta")
+HYBRID(hybrid_clipping_3_scalar, 3, true, false, FOUR_WAY, false, 1, 1, 4,
+       "degree 3 as published, but for a scalar delta")
+HYBRID(hybrid_clipping_1_arc, 1, true, true, LONGER_ARC, false, 1, 1, 2,
        "degree 1, scalar delta, longer arc, oriented boxes")
-HYBRID(hybrid_clipping_2_arc, 2, true, LONGER_ARC, false, 1, 1, 3,
+HYBRID(hybrid_clipping_2_arc, 2, true, true, LONGER_ARC, false, 1, 1, 3,
        "degree 2, scalar delta, longer arc, oriented boxes")
-HYBRID(hybrid_clipping_3_arc, 3, true, LONGER_ARC, false, 1, 1, 4,
+HYBRID(hybrid_clipping_3_arc, 3, true, true, LONGER_ARC, false, 1, 1, 4,
        "degree 3, scalar delta, longer arc, oriented boxes")
 
-HYBRID(control_discard_and, 2, false, FOUR_WAY, true, 1, 1, 0,
+HYBRID(control_discard_and, 2, false, false, FOUR_WAY, true, 1, 1, 0,
        "control: discards where both conditions fail, as printed")
-HYBRID(control_no_margin, 3, false, FOUR_WAY, false, 0, 1, 0, "control: bounds without their rounding")
-HYBRID(control_normal_not_unit, 2, false, FOUR_WAY, false, 1, 8, 0, "control: a normal of length 8")
+HYBRID(control_no_margin, 3, false, false, FOUR_WAY, false, 0, 1, 0, "control: bounds without their rounding")
+HYBRID(control_normal_not_unit, 2, false, false, FOUR_WAY, false, 1, 8, 0, "control: a normal of length 8")

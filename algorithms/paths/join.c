@@ -79,23 +79,43 @@ static void unite(struct path_record *record, int p, int q)
     }
 }
 
-/* Records that reach a joint go on its list, and into `order`. */
-static void list_joints(struct joining *j)
+/* Does either end of the span lie at an end of its segment? */
+static bool is_at_end(const struct path_span *s)
+{
+    return (s->lo == 0) | (s->hi == 1);
+}
+
+/* The records that may reach a joint go into `order`, and the lists of these joints are empty. */
+static void find_reaching(struct joining *j)
 {
     j->reaching = 0;
     for (int r = 0; r < j->records; r++) {
-        bool reaches = false;
-        j->record[r].link = r;
+        struct path_record *p = &j->record[r];
+        p->link = r;
+        if (!is_at_end(&p->a) && !is_at_end(&p->b)) {
+            continue;
+        }
+        j->order[j->reaching++] = r;
+        for (int k = 0; k < 4; k++) {
+            int joint = joint_of(path_of(j->z, k / 2), span_at(p, k / 2), k % 2);
+            if (joint >= 0) {
+                j->head[k / 2][joint] = -1;
+            }
+        }
+    }
+}
+
+static void list_joints(struct joining *j)
+{
+    find_reaching(j);
+    for (int at = 0; at < j->reaching; at++) {
+        int r = j->order[at];
         for (int k = 0; k < 4; k++) { /* entry 4 r + 2 side + end */
             int side = k / 2, joint = joint_of(path_of(j->z, side), span_at(&j->record[r], side), k % 2);
             if (joint >= 0) {
                 j->next[4 * r + k] = j->head[side][joint];
                 j->head[side][joint] = 4 * r + k;
-                reaches = true;
             }
-        }
-        if (reaches) {
-            j->order[j->reaching++] = r;
         }
     }
 }
@@ -252,7 +272,8 @@ static void merge_group(struct joining *j, int root)
     if (members == 1 && (to->standing == UNIQUE || !single)) {
         return;
     }
-    bool one = single && (meets_at_joints(j, root) || path_joint_prove(j->z->a, j->z->b, &a, &b));
+    bool exact = single && meets_at_joints(j, root);
+    bool one = exact || (single && path_joint_prove(j->z->a, j->z->b, &a, &b));
     for (int r = j->next[4 * root]; r >= 0; r = j->next[4 * r]) {
         j->record[r].link = -1; /* gone */
     }
@@ -260,6 +281,7 @@ static void merge_group(struct joining *j, int root)
     to->b = b;
     to->joint = joint;
     to->chain = 0;
+    to->proved = one && !exact;
     if (one || members > 1) {
         to->standing = one ? UNIQUE : known ? CLUSTER : CANDIDATE;
         to->at_most = one ? 1 : known ? at_most : 0;
@@ -301,105 +323,59 @@ static void settle_groups(struct joining *j)
     }
 }
 
-/* ---- sorting ---- */
+/* ---- what was found twice ---- */
 
-static bool span_precedes(const struct path_span *p, const struct path_span *q)
+/* Records of the bucket of a segment that hold nothing but r's solution are gone. */
+static void drop_others(struct joining *j, int r, int segment)
 {
-    return p->first != q->first ? p->first < q->first : p->lo < q->lo;
-}
-
-static bool precedes(const struct path_record *p, const struct path_record *q)
-{
-    if (span_precedes(&p->a, &q->a) || span_precedes(&q->a, &p->a)) {
-        return span_precedes(&p->a, &q->a);
-    }
-    if (span_precedes(&p->b, &q->b) || span_precedes(&q->b, &p->b)) {
-        return span_precedes(&p->b, &q->b);
-    }
-    return p->a.hi != q->a.hi ? p->a.hi < q->a.hi : p->b.hi < q->b.hi;
-}
-
-static void sort_part(const struct path_record *record, int *order, int count)
-{
-    int gap = 1;
-    while (gap < count / 3) {
-        gap = 3 * gap + 1;
-    }
-    for (; gap > 0; gap /= 3) {
-        for (int i = gap; i < count; i++) {
-            int r = order[i], k = i;
-            for (; k >= gap && precedes(&record[r], &record[order[k - gap]]); k -= gap) {
-                order[k] = order[k - gap];
-            }
-            order[k] = r;
+    for (int k = segment > 0 ? j->bucket[segment - 1] : 0; k < j->bucket[segment]; k++) {
+        struct path_record *q = &j->record[j->order[k]];
+        if (j->order[k] != r && q->link >= 0 && q->overlap < 0 && q->chain == 0 &&
+            path_joint_holds(&j->record[r], q, j->z->self)) {
+            q->link = -1;
         }
     }
 }
 
-/* record[k] becomes what record[order[k]] was. */
-static void permute(struct path_record *record, int *order, int count)
+/* A solution proved beside a joint may also have a record that does not reach the joint.  Returns the records
+ * left. */
+static int drop_doubles(struct joining *j, int count)
 {
+    int kept = 0;
     for (int k = 0; k < count; k++) {
-        if (order[k] < 0) {
+        int r = j->order[k];
+        const struct path_record *p = &j->record[r];
+        if (!p->proved || p->link < 0) {
             continue;
         }
-        struct path_record first = record[k];
-        int at = k;
-        while (order[at] != k) {
-            int from = order[at];
-            record[at] = record[from];
-            order[at] = -1;
-            at = from;
+        drop_others(j, r, p->a.first);
+        drop_others(j, r, p->a.last);
+        if (j->z->self) {
+            drop_others(j, r, p->b.first);
+            drop_others(j, r, p->b.last);
         }
-        record[at] = first;
-        order[at] = -1;
     }
+    for (int k = 0; k < count; k++) {
+        if (j->record[j->order[k]].link >= 0) {
+            j->order[kept++] = j->order[k];
+        }
+    }
+    return kept;
 }
 
-/* By segments of the first path into buckets, and each of these by the rest. */
-static void sort_records(struct joining *j)
-{
-    int segments = j->z->a->count;
-    for (int i = 0; i <= segments; i++) {
-        j->bucket[i] = 0;
-    }
-    for (int r = 0; r < j->records; r++) {
-        j->bucket[j->record[r].a.first + 1]++;
-    }
-    for (int i = 0; i < segments; i++) {
-        j->bucket[i + 1] += j->bucket[i];
-    }
-    for (int r = 0; r < j->records; r++) {
-        j->order[j->bucket[j->record[r].a.first]++] = r;
-    }
-    for (int i = 0, from = 0; i < segments; from = j->bucket[i++]) {
-        sort_part(j->record, j->order + from, j->bucket[i] - from);
-    }
-    permute(j->record, j->order, j->records);
-}
+/* ---- all ---- */
 
 /* Of a path against itself the earlier span comes first. */
 static void turn_spans(const struct joining *j)
 {
     for (int r = 0; j->z->self && r < j->records; r++) {
         struct path_record *p = &j->record[r];
-        if (p->overlap < 0 && span_precedes(&p->b, &p->a)) {
+        if (p->overlap < 0 && path_span_precedes(&p->b, &p->a)) {
             struct path_span s = p->a;
             p->a = p->b;
             p->b = s;
         }
     }
-}
-
-static void drop_gone(struct joining *j)
-{
-    int kept = 0;
-    for (int r = 0; r < j->records; r++) {
-        if (j->record[r].link >= 0 && kept++ != r) {
-            j->record[kept - 1] = j->record[r];
-        }
-    }
-    j->records = kept;
 }
 
 size_t path_join_size(int count_a, int count_b, int records)
@@ -421,14 +397,10 @@ void path_records_join(const struct path_solver *z, struct path_records *all, vo
     j.next = j.head[0] + joints;
     j.order = j.next + 4 * (size_t)records;
     j.chains = 0;
-    for (int i = 0; i < joints; i++) {
-        j.head[0][i] = -1;
-    }
     list_joints(&j);
     unite_all(&j);
     settle_groups(&j);
-    drop_gone(&j);
     turn_spans(&j);
-    sort_records(&j);
-    all->count = j.records;
+    all->count = drop_doubles(&j, path_records_sort(j.record, j.records, z->a->count, j.bucket, j.order));
+    all->order = j.order;
 }

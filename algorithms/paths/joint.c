@@ -132,10 +132,16 @@ static bool narrow(const struct side *s, real far, struct path_span *span)
     return span->lo > s->lo && span->hi < s->hi;
 }
 
+/* Parameters on either side of the joint, or of the middle of a span. */
+static real region_width(void)
+{
+    return real_ldexp(1, -REAL_BITS / 3);
+}
+
 bool path_joint_prove(const struct path *a, const struct path *b, struct path_span *span_a,
                       struct path_span *span_b)
 {
-    const real width = real_ldexp(1, -REAL_BITS / 3);
+    const real width = region_width();
     struct side h, k;
     struct path_span at_a, at_b;
     if (!side_make(a, span_a, width, &h) || !side_make(b, span_b, width, &k)) {
@@ -156,4 +162,22 @@ bool path_joint_prove(const struct path *a, const struct path *b, struct path_sp
     *span_a = at_a;
     *span_b = at_b;
     return true;
+}
+
+/* Half the region: the middle of a narrowed span is that of the region to rounding. */
+static bool is_beside(const struct path_span *r, const struct path_span *q)
+{
+    const real width = region_width() / 2;
+    if (r->first != r->last) {
+        bool begins = q->first == r->first && q->lo >= 1 - width, ends = q->last == r->last && q->hi <= width;
+        return q->first == q->last ? begins || ends : begins && ends;
+    }
+    real middle = r->lo + (r->hi - r->lo) / 2;
+    return q->first == r->first && q->last == r->last && q->lo >= middle - width && q->hi <= middle + width;
+}
+
+bool path_joint_holds(const struct path_record *r, const struct path_record *q, bool self)
+{
+    return (is_beside(&r->a, &q->a) && is_beside(&r->b, &q->b)) ||
+           (self && is_beside(&r->a, &q->b) && is_beside(&r->b, &q->a));
 }

@@ -51,6 +51,9 @@ static void mark_points(struct path *path, int first, int last, bool attached)
 {
     for (int i = first; i < last; i++) {
         path->next[i] = i == first && !attached ? PATH_END : PATH_POINT;
+        if (path->degree && path->next[i] == PATH_POINT) {
+            path->degree[i] = 0;
+        }
     }
 }
 

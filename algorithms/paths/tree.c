@@ -76,17 +76,19 @@ static void reach_rational(const struct curve *c, struct reach *r)
     }
 }
 
-static void box_of_segment(const struct curve *c, struct path_node *node, int k)
+static void box_of_segment(const struct path *path, int i, struct path_node *node, int k)
 {
+    const struct curve *c = &path->segment[i];
     struct reach r;
     for (int h = 0; h < 4; h++) {
         r.low[h] = REAL_HUGE;
         r.high[h] = -REAL_HUGE;
     }
-    if (c->w) {
+    if (path->degree && path->degree[i] == 3) { /* the table is all that is read */
+        const real *points = path->points + (size_t)BATCH_NUMBERS * (size_t)i;
+        reach_polynomial(3, points, points + BATCH_NUMBERS / 2, &r);
+    } else if (c->w) {
         reach_rational(c, &r);
-    } else if (c->degree == 3) {
-        reach_polynomial(3, c->x, c->y, &r);
     } else {
         reach_polynomial(c->degree, c->x, c->y, &r);
     }
@@ -94,6 +96,21 @@ static void box_of_segment(const struct curve *c, struct path_node *node, int k)
         node->low[h][k] = real_to_double(r.low[h]);
         node->high[h][k] = real_to_double(r.high[h]);
     }
+}
+
+/* Of segments first, first + 1, ...; made apart, so that it is written in one go. */
+static void node_of_segments(const struct path *path, int first, struct path_node *to)
+{
+    struct path_node made;
+    for (int k = 0; k < PATH_FAN; k++) {
+        int i = first + k;
+        if (i >= path->count || (!(path->degree && path->degree[i]) && path->next[i] == PATH_POINT)) {
+            box_clear(&made, k);
+        } else {
+            box_of_segment(path, i, &made, k);
+        }
+    }
+    *to = made;
 }
 
 /* All eight of `from`. */
@@ -129,12 +146,8 @@ void path_tree_make(struct path_tree *tree, const struct path *path, void *memor
     tree->path = path;
     tree->level[0] = node;
     tree->count[0] = path->count;
-    for (int i = 0; i < path->count; i++) {
-        if (path->next[i] == PATH_POINT) {
-            box_clear(&node[i / PATH_FAN], i % PATH_FAN);
-        } else {
-            box_of_segment(&path->segment[i], &node[i / PATH_FAN], i % PATH_FAN);
-        }
+    for (int i = 0; i < path->count; i += PATH_FAN) {
+        node_of_segments(path, i, &node[i / PATH_FAN]);
     }
     fill_up(node, path->count);
     int below = nodes_for(path->count), level = 0;

@@ -95,9 +95,9 @@ struct cut_constants cut_constants(const struct test_case *c, const struct known
     for (int i = 2; i <= k + 1; i++)
         factorial *= i;
     if (k < n) {
-        double factor = 2 * legendre_norm(k + 1, n) / (factorial * omega);
-        found.own_vector = factor * hypot(x, y);
-        found.own_scalar = factor * fabs(nx * x + ny * y);
+        double factor = 1 / (factorial * omega);
+        found.own_vector = 2 * legendre_norm(k + 1, n) * factor * hypot(x, y);
+        found.own_scalar = legendre_span(k + 1, n) * factor * fabs(nx * x + ny * y);
     }
     if (m > 1) {
         double c_m = (double)(m / 2) * ((m + 1) / 2) / (m * (m - 1));

@@ -28,6 +28,8 @@ double reduction_constant(const struct test_case *c, const struct known_solution
 /* Largest |Bernstein coefficient| in degree n >= m of the monic Legendre polynomial of degree m shifted to
  * [0, 1]. */
 double legendre_norm(int m, int n);
+/* The largest less the least: twice the norm if m is odd, less if it is even. */
+double legendre_span(int m, int n);
 
 /* One cut of f against the fat line of g (of_g: the other way round).  own: y = x^6, so that x^(k+1) is what
  * is left; other: x = y^1.6, so that it is y^2. */
@@ -37,8 +39,8 @@ struct power_law cut_law(struct order_bench *b, const struct test_case *c, const
 struct order_estimate jacobi_order(struct order_bench *b, const struct test_case *c,
                                    const struct intersector *a, const struct known_solution *z);
 
-/* C_f for delta taken as the length of the residual (vector) or as its component across the fat line
- * (scalar), and C_g, for a fat line along the chord that holds all control points. */
+/* C_f for delta taken as the length of the residual (vector) or as the range of its component across the
+ * fat line (scalar), and C_g, for a fat line along the chord that holds all control points. */
 struct cut_constants {
     double own_vector, own_scalar, other;
 };

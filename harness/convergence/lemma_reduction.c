@@ -78,18 +78,35 @@ static double factorial(int n)
     return n < 2 ? 1 : n * factorial(n - 1);
 }
 
-/* BB norm in degree n of the monic Legendre polynomial of degree m shifted to [0, 1]: its Bernstein
- * coefficients in degree m are (-1)^(m-i) C(m,i) / C(2m,m). */
-double legendre_norm(int m, int n)
+/* Least and greatest Bernstein coefficient in degree n of the monic Legendre polynomial of degree m shifted
+ * to [0, 1]: those in degree m are (-1)^(m-i) C(m,i) / C(2m,m). */
+static void legendre_range(int m, int n, double *least, double *most)
 {
     real c[DEGREE_MAX + 1];
-    double most = 0;
     for (int i = 0; i <= m; i++)
         c[i] = (m - i) % 2 ? -binomial(m, i) : binomial(m, i);
     bernstein_elevate(m, c, n - m, c);
-    for (int i = 0; i <= n; i++)
-        most = fmax(most, fabs(real_to_double(c[i])));
-    return most / real_to_double(binomial(2 * m, m));
+    *least = *most = real_to_double(c[0]);
+    for (int i = 1; i <= n; i++) {
+        *least = fmin(*least, real_to_double(c[i]));
+        *most = fmax(*most, real_to_double(c[i]));
+    }
+    *least /= real_to_double(binomial(2 * m, m));
+    *most /= real_to_double(binomial(2 * m, m));
+}
+
+double legendre_norm(int m, int n)
+{
+    double least, most;
+    legendre_range(m, n, &least, &most);
+    return fmax(most, -least);
+}
+
+double legendre_span(int m, int n)
+{
+    double least, most;
+    legendre_range(m, n, &least, &most);
+    return most - least;
 }
 
 double reduction_constant(const struct test_case *c, const struct known_solution *z, bool of_g, int k, int j)

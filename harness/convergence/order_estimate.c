@@ -15,6 +15,7 @@ enum {
     EXACT_BITS = 2
 };
 static const double BITS_LEAST = 0.01; /* a round, or it is stalled */
+static const double WIDEST = 0.15;     /* interval over order: what is wider tells two orders apart no more */
 
 const char *law_name(enum law law)
 {
@@ -143,6 +144,8 @@ struct order_estimate order_of_boxes(int n, const double *before, const double *
             gain += (after[i] - before[i]) / (n - n / 2);
         e.bits_per_round = gain;
         e.law = gain < BITS_LEAST ? STALLED : LINEAR;
+    } else if (e.hi - e.lo > WIDEST * e.per_round) {
+        e = nothing(n);
     }
     return e;
 }

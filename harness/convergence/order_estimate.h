@@ -40,7 +40,8 @@ struct order_estimate order_of_widths(int n, const double *bits_t, const double 
 
 /* Single rounds from boxes of different sizes: bits before and after, in increasing order.  The order is the
  * slope over the smaller half of the boxes; the interval is that of the regression, or as far as the slope
- * over all boxes if that is farther.  below: rounds that ended below the rounding floor. */
+ * over all boxes if that is farther; one wider than 15 percent of the order is no estimate.  below: rounds
+ * that ended below the rounding floor. */
 struct order_estimate order_of_boxes(int n, const double *before, const double *after, int below);
 
 #ifdef __cplusplus

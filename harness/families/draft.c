@@ -64,7 +64,7 @@ void draft_reset(struct draft *d, int n, int m, bool rational)
     d->class_name = "";
     d->note[0] = '\0';
     d->planted = 0;
-    d->complete = d->overlaps = false;
+    d->complete = d->overlaps = d->beyond = false;
     d->count = -1;
     fmpq_zero(d->gap);
 }

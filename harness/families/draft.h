@@ -39,6 +39,7 @@ struct draft {
     fmpq_t overlap[4]; /* t0, t1, s0, s1; s0 > s1 when reversed */
     int count;         /* number of solutions, all simple, proved by the construction; -1: not known */
     fmpq_t gap;        /* g was moved so far from contact at[0] along one axis; 0: it was not */
+    bool beyond;       /* that takes more digits than a double has, and is the curve nevertheless */
 };
 
 void draft_init(struct draft *d);

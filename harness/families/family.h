@@ -14,7 +14,8 @@ struct request {
     int n, m;
     bool weights; /* make both curves rational */
     uint64_t index;
-    int gap; /* near_tangent: the gap is 2^-gap; 0: the family's choice */
+    int gap,
+        gaps; /* near_tangent: case i has the gap 2^-(gap + (i div 2) mod gaps); 0: the family's choice */
     struct random_state random;
 };
 

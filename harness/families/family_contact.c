@@ -214,13 +214,18 @@ static bool open_gap(struct draft *d, int exponent, bool apart)
     return good;
 }
 
+/* Up to here another draw will do where the coordinates do not fit in doubles. */
+enum { GAP_IN_DOUBLES = 50 };
+
 /* Contact 2, then opened: two roots in even cases, none in odd ones. */
 bool family_near_tangent(struct draft *d, struct request *r)
 {
-    int exponent = r->gap ? r->gap : 5 + (int)((r->index >> 1) * 19 % 46);
+    int exponent =
+        r->gap ? r->gap + (int)((r->index >> 1) % (uint64_t)r->gaps) : 5 + (int)((r->index >> 1) * 19 % 46);
     bool apart = r->index & 1;
     if (!make_inner_contact(d, r, 2, r->index & 2 ? SAME : OPPOSITE) || !open_gap(d, exponent, apart))
         return false;
+    d->beyond = exponent > GAP_IN_DOUBLES;
     snprintf(d->note, sizeof d->note, "contact opened by 2^-%d, %s", exponent, apart ? "apart" : "two roots");
     d->planted = 0; /* at[0] is where the contact was */
     d->class_name = "";

@@ -12,7 +12,7 @@ static void put_exact(FILE *stream, const fmpq_t a)
     flint_free(text);
 }
 
-/* Draft coordinates are doubles exactly; parameters are rounded. */
+/* Draft coordinates are doubles exactly, unless the draft is beyond them; parameters are rounded. */
 static void put_double(FILE *stream, const fmpq_t a)
 {
     char text[64];
@@ -49,14 +49,15 @@ static void put_weights(FILE *stream, const char *name, const struct points *p,
     fputc(']', stream);
 }
 
-static void put_curve(FILE *stream, const char *name, const struct points *p)
+static void put_curve(FILE *stream, const char *name, const struct points *p, bool doubles)
 {
     fprintf(stream, ", \"%s\": {\"degree\": %d", name, p->degree);
     put_pairs(stream, "points", p, put_exact);
     if (p->rational)
         put_weights(stream, "weights", p, put_exact);
-    put_pairs(stream, "f64", p, put_double);
-    if (p->rational)
+    if (doubles)
+        put_pairs(stream, "f64", p, put_double);
+    if (doubles && p->rational)
         put_weights(stream, "w64", p, put_double);
     fputc('}', stream);
 }
@@ -120,8 +121,8 @@ void family_write(FILE *stream, const struct draft *d, const char *family, uint6
         fprintf(stream, ", \"note\": \"%s\"", d->note);
     if (d->class_name[0])
         fprintf(stream, ", \"class\": \"%s\"", d->class_name);
-    put_curve(stream, "f", &d->f);
-    put_curve(stream, "g", &d->g);
+    put_curve(stream, "f", &d->f, !d->beyond);
+    put_curve(stream, "g", &d->g, !d->beyond);
     if (d->planted)
         put_planted(stream, d);
     if (d->overlaps)

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../cases/problem.h"
 #include "../timing/clock.h"
 #include "path_job.h"
 
@@ -12,24 +11,22 @@ static size_t bytes_of(const struct loaded_path *p)
 {
     size_t segments = (size_t)p->path.count;
 
-    return segments * (sizeof(struct curve) + 2 * sizeof(int)) + p->coefficients * sizeof(real) +
-           path_tree_size(p->path.count);
+    return segments * (sizeof(struct curve) + 1 + 2 * sizeof(int) + BATCH_NUMBERS * sizeof(real)) +
+           p->coefficients * sizeof(real) + path_tree_size(p->path.count);
 }
 
 void path_job_make(struct path_job *job, const struct loaded_path *a, const struct loaded_path *b,
                    real tolerance, int max_steps)
 {
-    const struct intersector *used[] = {path_pairs, path_loops, NULL};
     int degree = b && b->degree > a->degree ? b->degree : a->degree;
 
     memset((void *)job, 0, sizeof *job);
     job->a = a;
     job->b = b;
-    workspace_make(&job->workspace, used, degree, degree, 1);
-    path_solver_init(&job->solver, &a->path, b ? &b->path : NULL, &job->workspace,
-                     (struct crossings *)path_memory(NULL, sizeof(struct crossings)));
-    job->solver.tolerance = tolerance;
-    job->solver.max_steps = max_steps;
+    job->solver_bytes = path_solver_size(degree);
+    job->solver_memory = path_memory(NULL, job->solver_bytes);
+    path_solver_init(&job->solver, &a->path, b ? &b->path : NULL, degree, tolerance, max_steps,
+                     job->solver_memory);
     job->memory_a = path_memory(NULL, path_tree_size(a->path.count));
     job->memory_b = b ? path_memory(NULL, path_tree_size(b->path.count)) : NULL;
     job->walk = (struct path_walk *)path_memory(NULL, sizeof *job->walk);
@@ -38,8 +35,7 @@ void path_job_make(struct path_job *job, const struct loaded_path *a, const stru
 
 void path_job_clear(struct path_job *job)
 {
-    workspace_clear(&job->workspace);
-    free((void *)job->solver.crossings);
+    free(job->solver_memory);
     free(job->memory_a);
     free(job->memory_b);
     free(job->numbers);
@@ -132,7 +128,7 @@ bool path_job_run(struct path_job *job, const volatile int *stop)
         job->numbers = path_memory(job->numbers, job->numbers_room = numbers);
     job->found = job->records.count;
     job->bytes = bytes_of(job->a) + (job->b ? bytes_of(job->b) : 0) + BLOCK * sizeof *job->block +
-                 sizeof *job->walk + (size_t)job->records.room * sizeof *job->records.at +
+                 sizeof *job->walk + job->solver_bytes + (size_t)job->records.room * sizeof *job->records.at +
                  (size_t)job->records.overlap_room * sizeof *job->records.overlap + job->numbers_room;
     path_records_join(&job->solver, &job->records, job->numbers);
     lap(&clock, &job->times.join);

@@ -13,7 +13,8 @@ struct path_times {
 struct path_job {
     const struct loaded_path *a, *b; /* b: NULL for a against itself */
     struct path_solver solver;
-    struct workspace workspace;
+    void *solver_memory;
+    size_t solver_bytes;
     struct path_tree tree_a, tree_b;
     void *memory_a, *memory_b, *numbers;
     size_t numbers_room;

@@ -17,7 +17,7 @@ static const struct argp_option options[] = {
     {"seed", SEED, "S", 0, "of the random walks (1)", 0},
     {"self", ALONE, 0, 0, "with --random: the first of them with itself", 0},
     {0, 0, 0, 0, "How:", 2},
-    {"tolerance", TOLERANCE, "X", 0, "width asked for in both parameters of a pair (1e-12)", 0},
+    {"tolerance", TOLERANCE, "X", 0, "width asked for in both parameters of a segment (1e-10)", 0},
     {"max-steps", MAX_STEPS, "N", 0, "step limit of a pair (100000)", 0},
     {0, 0, 0, 0, "What is written:", 3},
     {"print", PRINT, 0, 0, "the paths as lines of JSON, instead of their crossings", 0},
@@ -132,7 +132,7 @@ void path_options_read(int argc, char **argv, struct path_options *o)
 {
     static const struct argp argp = {options, parse, "A [B]", documentation, 0, 0, 0};
     memset((void *)o, 0, sizeof *o);
-    real_parse("1e-12", &o->tolerance);
+    real_parse("1e-10", &o->tolerance);
     o->max_steps = STEPS_MAX;
     o->seed = 1;
     o->rounds = 9;

@@ -38,6 +38,11 @@ static char *head_of(const struct path_job *job)
     return text;
 }
 
+static const struct path_record *record_at(const struct path_job *job, int i)
+{
+    return &job->records.at[job->records.order[i]];
+}
+
 static void write_record(FILE *stream, const char *head, const struct path_record *r,
                          const struct path_overlap *overlap)
 {
@@ -67,7 +72,7 @@ void path_rows_write(FILE *stream, const struct path_job *job)
     char *head = head_of(job);
 
     for (int i = 0; i < job->records.count; i++)
-        write_record(stream, head ? head : "{\"id\":null", &job->records.at[i], job->records.overlap);
+        write_record(stream, head ? head : "{\"id\":null", record_at(job, i), job->records.overlap);
     free(head);
 }
 
@@ -78,10 +83,10 @@ void path_summary_write(const struct path_job *job)
     const struct path_solver *z = &job->solver;
 
     for (int i = 0; i < job->records.count; i++) {
-        if (job->records.at[i].overlap >= 0)
+        if (record_at(job, i)->overlap >= 0)
             overlaps++;
         else
-            count[job->records.at[i].standing]++;
+            count[record_at(job, i)->standing]++;
     }
     progress_note(
         "%s%s%s: %d segments, %ld pairs of %ld solved, %d records: %ld UNIQUE, %ld END, %ld CLUSTER, "

@@ -16,6 +16,18 @@ void *path_memory(void *old, size_t bytes)
     return memory;
 }
 
+/* Nothing of it straddles two cache lines without need. */
+static void *path_aligned(size_t bytes)
+{
+    void *memory = aligned_alloc(64, bytes / 64 * 64 + 64);
+
+    if (!memory) {
+        fprintf(stderr, "fatline: out of memory (%zu bytes)\n", bytes);
+        exit(2);
+    }
+    return memory;
+}
+
 void path_draft_begin(struct path_draft *d, const char *id)
 {
     memset((void *)d, 0, sizeof *d);
@@ -70,21 +82,58 @@ bool path_draft_add(struct path_draft *d, int degree, const real *x, const real 
     return true;
 }
 
-/* The coefficients have found their place. */
-static void place_segments(struct loaded_path *p, int count)
+static bool is_plain(const struct curve *c)
 {
-    const real *at = p->coefficient;
+    return c->degree <= 3 && !c->w;
+}
 
-    for (int i = 0; i < count; i++) {
+/* x to points[0..3], y to points[4..7]. */
+static void place_plain(struct curve *c, const real *at, real *points)
+{
+    int length = c->degree + 1;
+
+    for (int k = 0; k < BATCH_NUMBERS; k++)
+        points[k] = 0;
+    memcpy((void *)points, at, (size_t)length * sizeof(real));
+    memcpy((void *)(points + BATCH_NUMBERS / 2), at + length, (size_t)length * sizeof(real));
+    c->x = points;
+    c->y = points + BATCH_NUMBERS / 2;
+}
+
+/* Segments find their place in the table, or among the coefficients that are left. */
+static void place_segments(struct loaded_path *p, const struct path_draft *d)
+{
+    const real *from = d->coefficient;
+    real *to = p->coefficient;
+
+    for (int i = 0; i < d->segments; i++) {
         struct curve *c = &p->segment[i];
-        int length = c->degree + 1;
+        size_t length = (size_t)c->degree + 1, numbers = (c->w ? 3 : 2) * length;
 
-        c->x = at;
-        c->y = at + length;
-        c->w = c->w ? at + 2 * length : NULL;
-        at += (c->w ? 3 : 2) * length;
+        p->plain[i] = (unsigned char)(is_plain(c) ? c->degree : 0);
         p->degree = c->degree > p->degree ? c->degree : p->degree;
+        if (is_plain(c)) {
+            place_plain(c, from, p->points + (size_t)BATCH_NUMBERS * (size_t)i);
+        } else {
+            memcpy((void *)to, from, numbers * sizeof(real));
+            c->x = to;
+            c->y = to + length;
+            c->w = c->w ? to + 2 * length : NULL;
+            to += numbers;
+        }
+        from += numbers;
     }
+}
+
+/* Numbers of segments that are not plain. */
+static size_t other_numbers(const struct path_draft *d)
+{
+    size_t numbers = 0;
+
+    for (int i = 0; i < d->segments; i++)
+        if (!is_plain(&d->segment[i]))
+            numbers += (d->segment[i].w ? 3 : 2) * ((size_t)d->segment[i].degree + 1);
+    return numbers;
 }
 
 static struct loaded_path *path_new(struct path_set *set)
@@ -105,12 +154,17 @@ void path_draft_end(struct path_draft *d, struct path_set *set)
 
     p->id = d->id;
     p->segment = (struct curve *)path_memory(d->segment, (size_t)d->segments * sizeof *d->segment);
-    p->coefficient = (real *)path_memory(d->coefficient, d->coefficients * sizeof(real));
-    p->coefficients = d->coefficients;
+    p->coefficients = other_numbers(d);
+    p->coefficient = (real *)path_memory(NULL, p->coefficients * sizeof(real));
+    p->plain = (unsigned char *)path_memory(NULL, (size_t)d->segments);
+    p->points = (real *)path_aligned((size_t)d->segments * BATCH_NUMBERS * sizeof(real));
     p->degree = 1;
-    place_segments(p, d->segments);
+    place_segments(p, d);
+    free((void *)d->coefficient);
     p->path.count = d->segments;
     p->path.segment = p->segment;
+    p->path.points = p->points;
+    p->path.degree = p->plain;
     p->path.next = (int *)path_memory(NULL, links);
     p->path.before = (int *)path_memory(NULL, links);
     for (int k = 0; k < d->subpaths; k++)
@@ -136,6 +190,8 @@ void path_set_clear(struct path_set *set)
         free(p->id);
         free(p->segment);
         free((void *)p->coefficient);
+        free((void *)p->points);
+        free(p->plain);
         free(p->path.next);
         free(p->path.before);
     }

@@ -8,7 +8,9 @@ struct loaded_path {
     char *id;
     struct path path;
     struct curve *segment;
-    real *coefficient;
+    unsigned char *plain; /* path.degree */
+    real *points;         /* path.points, 64 bytes a segment on addresses that they divide */
+    real *coefficient;    /* of all other segments */
     size_t coefficients;
     int degree; /* the largest */
 };

@@ -202,6 +202,28 @@ static bool read_id(const struct fields *r, const json_t *line, struct region_ca
     return true;
 }
 
+/* A misspelt field would be a default. */
+static bool check_names(const struct fields *r, json_t *line)
+{
+    static const char *const known[] = {"id",       "note",  "degree",   "knots", "points",
+                                        "weights",  "free",  "interval", "sign",  "loop_free",
+                                        "expected", "check", NULL};
+    const char *name;
+    json_t *value;
+    json_object_foreach(line, name, value)
+    {
+        int i = 0;
+        while (known[i] && strcmp(known[i], name))
+            i++;
+        if (!known[i])
+            return fields_complain(
+                r, name,
+                "unknown, expected id, degree, knots, points, weights, free, interval, sign, "
+                "loop_free, note, check or expected");
+    }
+    return true;
+}
+
 enum region_case_status region_case_parse(const char *text, const char *file, int line_number,
                                           struct region_case *c, char error[512])
 {
@@ -218,9 +240,9 @@ enum region_case_status region_case_parse(const char *text, const char *file, in
                  json_error.column);
     else if (!good)
         fields_complain(&r, "line", "%s, expected an object", fields_type(c->line));
-    good = good && read_id(&r, c->line, c) && read_points(&r, c->line, c) && read_degree(&r, c->line, c) &&
-           read_knots(&r, c->line, c) && read_weights(&r, c->line, c) && read_free(&r, c->line, c) &&
-           read_interval(&r, c->line, c) && read_rest(&r, c->line, c);
+    good = good && check_names(&r, c->line) && read_id(&r, c->line, c) && read_points(&r, c->line, c) &&
+           read_degree(&r, c->line, c) && read_knots(&r, c->line, c) && read_weights(&r, c->line, c) &&
+           read_free(&r, c->line, c) && read_interval(&r, c->line, c) && read_rest(&r, c->line, c);
     if (!good)
         region_case_clear(c);
     return good ? REGION_CASE_READ : REGION_CASE_BAD;

@@ -166,7 +166,8 @@ static void choose_variant(struct argp_state *state, struct time_settings *s, co
         argp_error(state, "--batch: this machine, or precision, has no %s", text);
     s->batch = true;
     s->variant = (enum batch_variant)k;
-    snprintf(s->batch_name, sizeof s->batch_name, "certified_batch%s%s", k ? "_" : "", names[k]);
+    snprintf(s->batch_name, sizeof s->batch_name, "%s_batch%s%s", batch_algorithm->name, k ? "_" : "",
+             names[k]);
 }
 
 static void finish(struct argp_state *state, struct time_settings *s)

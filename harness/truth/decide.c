@@ -40,11 +40,18 @@ static bool is_exact(const struct case_curve *c, const struct curve *p)
     return same;
 }
 
-static bool is_settled(const struct crossings *x, enum outcome outcome)
+/* As narrow as asked, or nearly as can be? */
+static bool is_narrow(const struct problem *p, const struct crossing *c)
+{
+    real most = real_max(p->tolerance, 64 * REAL_EPSILON);
+    return c->t.hi - c->t.lo <= most && c->s.hi - c->s.lo <= most;
+}
+
+static bool is_settled(const struct problem *p, const struct crossings *x, enum outcome outcome)
 {
     bool settled = outcome == SOLVED;
     for (int i = 0; i < x->count && settled; i++)
-        settled = x->at[i].standing == UNIQUE && x->at[i].multiplicity == 1;
+        settled = x->at[i].standing == UNIQUE && x->at[i].multiplicity == 1 && is_narrow(p, &x->at[i]);
     for (int i = 0; i < x->overlaps && settled; i++)
         settled = x->overlap[i].exact;
     return settled;
@@ -143,13 +150,15 @@ static bool excludes_others(const struct crossing *c, const struct case_expected
     return true;
 }
 
-/* A UNIQUE of the answer that holds solution k, a simple one, and nothing else; or NULL. */
-static const struct crossing *proof_of(const struct crossings *x, const struct case_expected *e, int k,
-                                       const struct rounding *r)
+/* A UNIQUE of the answer, as narrow as asked, that holds solution k, a simple one, and nothing else; or NULL.
+ */
+static const struct crossing *proof_of(const struct problem *p, const struct crossings *x,
+                                       const struct case_expected *e, int k, const struct rounding *r)
 {
     for (int i = 0; i < x->count && e->at[k].multiplicity == 1; i++) {
         const struct crossing *c = &x->at[i];
-        if (c->standing == UNIQUE && record_holds(c, &e->at[k], r) && excludes_others(c, e, k, r))
+        if (c->standing == UNIQUE && is_narrow(p, c) && record_holds(c, &e->at[k], r) &&
+            excludes_others(c, e, k, r))
             return c;
     }
     return NULL;
@@ -209,8 +218,10 @@ static void settle_crossings(const struct problem *p, const struct case_expected
                              const struct crossings *from, const struct rounding *r, struct crossings *to)
 {
     for (int k = 0; k < e->count; k++) {
-        const struct crossing *proof = same ? proof_of(from, e, k, r) : NULL;
-        add(to, proof ? *proof : record_of(p, &e->at[k], r));
+        const struct crossing *proof = same ? proof_of(p, from, e, k, r) : NULL;
+        struct crossing c = proof ? *proof : record_of(p, &e->at[k], r);
+        c.multiplicity = e->at[k].multiplicity;
+        add(to, c);
     }
     qsort((void *)to->at, (size_t)to->count, sizeof *to->at, order);
 }
@@ -297,7 +308,7 @@ const char *decide(const struct test_case *c, const struct problem *p, double se
     struct exact_limits limits = {DIGITS, seconds};
     if (*outcome != SOLVED && *outcome != OUT_OF_STEPS && *outcome != OUT_OF_ROOM)
         return "there is no answer to decide";
-    if (same && is_settled(x, *outcome))
+    if (same && is_settled(p, x, *outcome))
         return NULL;
     const char *trouble = exact_solve_apart(c, &limits, &e);
     if (trouble && strstr(trouble, "rounded")) {

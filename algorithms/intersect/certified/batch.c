@@ -10,6 +10,8 @@
 #endif
 
 extern const struct intersector certified;
+extern const struct intersector *const batch_algorithm;
+const struct intersector *const batch_algorithm = &certified;
 
 enum { DEGREE = 3, CUBIC_ROOM = 1 /* cells, of which `certified` uses none */ };
 

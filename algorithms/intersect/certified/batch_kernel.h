@@ -3,31 +3,31 @@
  * alone.
  *
  * A node is always cut from its curve as given, so that its error does not depend on how deep it is.  Let u =
- * 2^-53, S the largest |coordinate| of the pair (the unit of a pair is u S), and node points be called P.
+ * 2^-53, S the largest |coordinate| of the pair as cubics (the unit of a pair is u S), P a node's point.
  *
- * Elevation to degree 3: thirds of sums of three, each step rounded: 3 u S, none for cubics.
- * Cutting: a mean a + t (b - a) by two fused operations, a - t a and then + t b, errs by u (1 - t) |a| + u
- * |mean|
- * <= 2 u S; t = m 2^-d is exact.  A point is three means deep: 6 u S.  Halving: (a + b) / 2 errs by u S,
- * three deep: 3 u S; a node is cut and halved at most once, or halved at most twice.  All in all
+ * Elevation to degree 3: thirds of a + 2 b, three roundings: 3 u S; none for cubics.
+ * Cutting: a mean of a and b is a - t a and then + t b, both fused, so it errs by u ((1 - t) |a| + |mean|) <=
+ * 2 u S; t = m 2^-d is exact.  A point is three means deep: 6 u S.
+ * Halving: (a + b) / 2 errs by u S; three deep: 3 u S.  A node is cut and halved at most once, or halved at
+ * most twice, and those halved after a cut meet no other test than that of octagons.  So
  *
- *     |P - exact| <= E = 12 u S.
+ *     |P - exact| <= E = 12 u S, and 9 u S where directions are made.
  *
- * Octagons: x and y are apart if the computed bounds are, by more than 2 E and the rounding of the
- * difference, 2 u S: 30 u S.  x + y and x - y err by 2 E + 2 u S, and so 2 (2 E + 2 u S) + 4 u S: 60 u S.
- * Differences A: e = 2 E + 2 u S = 26 u S; V, the largest 1-norm of the computed ones, and 2 e covers the
- * exact ones.  A cross product errs by e V_f + e V_g + e^2 and 2 u V_f V_g of rounding; e <= V / 2 and u V <=
- * 4 u S + ..
- * <= e / 5, so that 1.5 e (V_f + V_g) covers all.  Second differences err by 2 e + 4 u S <= 60 u S.
+ * Octagons: x and y are apart if the computed bounds are by more than 2 E and 2 u S of rounding: 30 u S will
+ * do.  x + y and x - y err by 2 E + 2 u S each, their difference by 4 u S more: 60 u S.
+ * Directions A are differences: e = 18 u S + 2 u S, 26 u S will do.  V, the largest 1-norm of the computed
+ * ones and 2 e, covers the exact ones.  A cross product errs by e V_f + e V_g + e^2 and 2 u V_f V_g of
+ * rounding; e <= V / 2 and u V <= e / 6, so that 1.5 e (V_f + V_g) covers all.  Second differences err by 2 e
+ * + 4 u S <= 60 u S.
  *
- * Evaluation, at any t in [0, 1], of the curve as given: with v = 1 - t the powers err by at most 5 u
- * relatively, 3 c[1] and 3 c[2] by u, products and sums by 3 u, and all terms together are at most S: 9 u S;
- * elevation 3 u S; adding the tangent past the node u S and what is in the slope: 14 u S.  Slopes:
- * differences times 3 or 6 err by 2 u, weights 3 u, sums 3 u, of at most 3 * 2 S: 48 u S; elevation 18 u S;
- * the product with the distance past the node and its sum 6 u S: 80 u S.
+ * Evaluation, at t in [0, 1], of the curve as given: with v = 1 - t the powers err by at most 5 u relatively,
+ * 3 c[1] and 3 c[2] by u and then no power by more than 4 u, products and sums by 3 u, and all terms together
+ * are at most S: 8 u S.  Elevation adds 3 u S, the sum with the tangent past the node u S: 14 u S will do.
+ * Slopes: differences times 3 or 6 err by 2 u, weights by 3 u, sums by 3 u, of at most 6 S: 48 u S; elevation
+ * adds 18 u S, the distance past the node and its product 12 u S: 80 u S will do.
  *
- * Where S lies between 2^-200 and 2^200 nothing here overflows, and what underflows is below a multiple of u
- * S that was added already. */
+ * Where S lies between 2^-200 and 2^200 nothing overflows but what then is left alone, and what underflows is
+ * below a multiple of u S that was added already. */
 #ifndef FATLINE_BATCH_KERNEL_H
 #define FATLINE_BATCH_KERNEL_H
 

@@ -153,9 +153,11 @@ LANES_INLINE void spot_at(const struct side *a, wide t, struct spot *out, wide *
     *past = wide_abs(beyond);
 }
 
+/* The pad covers the rounding of t -+ radius where these are near the node. */
 LANES_INLINE wide_mask beyond(const struct side *a, wide t, wide radius)
 {
-    return wide_less(a->hi, t - radius) | wide_less(t + radius, a->lo);
+    wide reach = radius + DBL_EPSILON;
+    return wide_less(a->hi, t - reach) | wide_less(t + reach, a->lo);
 }
 
 /* Takes a step in the lanes of *active that have not ended.  *active loses those without a zero in their
@@ -208,12 +210,21 @@ LANES_INLINE void radii(const struct side *f, const struct side *g, wide unit, c
     *out_s = wide_fma(wide_abs(s), wide_of(eps), rs);
 }
 
-/* Inside its node by more than that: ends and cuts are looked at elsewhere, and so is whatever another radius
- * of the same zero might reach. */
-LANES_INLINE wide_mask well_inside(const struct side *a, wide t, wide radius)
+/* Is `inside` far from an end of a node, counted in radii, or at an end of the domain and so near to it that
+ * no other radius of the same zero could leave it out?  `inside`: how far the zero is inside that end of the
+ * node. *at: gets the lanes of the second kind.  All between is looked at elsewhere, and so is what lies near
+ * a cut. */
+LANES_INLINE wide_mask is_clear(wide inside, wide radius, wide_mask domain, wide_mask *at)
 {
-    wide margin = 16.0 * radius;
-    return wide_less(a->lo, t - margin) & wide_less(t + margin, a->hi);
+    wide_mask near = domain & wide_less(4.0 * wide_abs(inside), radius);
+    *at |= near;
+    return near | wide_less(16.0 * radius, inside);
+}
+
+LANES_INLINE wide_mask is_placed(const struct side *a, wide t, wide radius, wide_mask *at_end)
+{
+    wide_mask first = wide_less(a->lo, wide_of(DBL_MIN)), last = wide_less(wide_of(1 - DBL_EPSILON), a->hi);
+    return is_clear(t - a->lo, radius, first, at_end) & is_clear(a->hi - t, radius, last, at_end);
 }
 
 /* Writes LANES records, of which those in `which` count: there is room for all. */
@@ -239,6 +250,23 @@ LANES_INLINE void write_records(struct batch_chunk *z, wide_mask which, const in
     z->records = (int)(to - z->record);
 }
 
+/* Of the records just written, one for each lane of `which`, those of `ends` are at an end of a domain. */
+LANES_INLINE void mark_ends(struct batch_chunk *z, wide_mask which, wide_mask ends)
+{
+    unsigned written = wide_bits(which);
+    struct batch_record *first = z->record + z->records - __builtin_popcount(written);
+    for (unsigned bits = wide_bits(ends); bits; bits &= bits - 1) {
+        unsigned before = written & ((bits & -bits) - 1);
+        struct crossing *c = &first[__builtin_popcount(before)].at;
+        c->standing = END;
+        c->multiplicity = 0;
+        c->t.lo = c->t.lo > 0 ? c->t.lo : 0;
+        c->s.lo = c->s.lo > 0 ? c->s.lo : 0;
+        c->t.hi = c->t.hi < 1 ? c->t.hi : 1;
+        c->s.hi = c->s.hi < 1 ? c->s.hi : 1;
+    }
+}
+
 LANES_INLINE void prove(struct batch_chunk *z, struct hunt *h)
 {
     enum { ITERATIONS_MAX = 8 };
@@ -258,7 +286,8 @@ LANES_INLINE void prove(struct batch_chunk *z, struct hunt *h)
     radii(f, g, h->unit, &d, h->t, h->s, &rt, &rs);
     wide_mask active = h->active & ~(ended & (beyond(f, h->t, rt) | beyond(g, h->s, rs)));
     const wide widest = wide_of(z->tolerance / 2);
-    wide_mask good = active & ended & well_inside(f, h->t, rt) & well_inside(g, h->s, rs) &
+    wide_mask at_end = wide_first(0);
+    wide_mask good = active & ended & is_placed(f, h->t, rt, &at_end) & is_placed(g, h->s, rs, &at_end) &
                      wide_less(rt, widest) & wide_less(rs, widest);
     if (wide_bits(active & ~good)) {
         leave_alone(z, active & ~good, wide_load_whole(h->pair));
@@ -267,6 +296,9 @@ LANES_INLINE void prove(struct batch_chunk *z, struct hunt *h)
         z->full = true;
     } else {
         write_records(z, good, h->pair, h->t, h->s, rt, rs);
+        if (wide_bits(good & at_end)) {
+            mark_ends(z, good, good & at_end);
+        }
     }
 }
 

@@ -160,19 +160,17 @@ LANES_INLINE void quarters(const struct arc *c, struct octagon out[4])
     }
 }
 
-LANES_TARGET static void cut_in_four(struct batch_chunk *z, struct batch_items *to)
+/* From the pair at `first` of the list on, until half the items are used; returns the next. */
+LANES_TARGET static int cut_in_four(struct batch_chunk *z, int first, struct batch_items *to)
 {
     list_pad_whole(z->crossed_pair, z->crossed);
-    for (int first = 0; first < z->crossed; first += LANES) {
+    to->count = 0;
+    for (; first < z->crossed && to->count <= ITEMS / 2; first += LANES) {
         struct arc f, g;
         struct octagon part_f[4], part_g[4];
         wide at = wide_load_whole(z->crossed_pair + first), unit = wide_gather(z->unit, at);
         wide_mask there = wide_first(z->crossed - first);
         load_pairs(z, z->crossed_pair + first, &f, &g);
-        if (to->count > ITEMS - 16 * LANES) {
-            leave_alone(z, there, at);
-            continue;
-        }
         quarters(&f, part_f);
         quarters(&g, part_g);
         for (int i = 0; i < 4; i++) {
@@ -185,6 +183,7 @@ LANES_TARGET static void cut_in_four(struct batch_chunk *z, struct batch_items *
             }
         }
     }
+    return first;
 }
 
 /* ---- nodes ---- */
@@ -245,18 +244,25 @@ LANES_TARGET static void settle_items(struct batch_chunk *z, struct batch_items 
     }
 }
 
-LANES_INLINE void settle_chunk(struct batch_chunk *z)
+LANES_INLINE void settle_rounds(struct batch_chunk *z)
 {
     int now = 0;
-    z->crossed = z->solves.count = z->items[0].count = 0;
-    begin(z);
-    cut_in_four(z, &z->items[0]);
     for (int round = 0; round < ROUNDS && z->items[now].count > 0; round++, now = !now) {
         z->items[!now].count = 0;
         settle_items(z, &z->items[now], &z->items[!now]);
     }
     for (int i = 0; i < z->items[now].count; i++) {
         leave_alone(z, wide_first(1), wide_of(z->items[now].pair[i]));
+    }
+}
+
+LANES_INLINE void settle_chunk(struct batch_chunk *z)
+{
+    z->crossed = z->solves.count = 0;
+    begin(z);
+    for (int first = 0; first < z->crossed;) {
+        first = cut_in_four(z, first, &z->items[0]);
+        settle_rounds(z);
     }
     solve_waiting(z, true);
 }

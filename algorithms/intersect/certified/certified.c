@@ -225,10 +225,10 @@ static enum verdict settle(struct solver *z, struct pair *at)
  * the places where they meet fill thousands of records. */
 static void look_for_overlaps(struct solver *z)
 {
-    enum { TIMES = 8 };
+    const int times = 8, first = FIRST_LOOK;
     int looser = z->overlap_looks == 0 ? 0 : z->overlap_looks == 1 ? 7 : 16;
     z->overlap_looks++;
-    z->next_look = (int)TIMES * (z->next_look < (int)FIRST_LOOK ? (int)FIRST_LOOK : z->next_look);
+    z->next_look = times * (z->next_look < first ? first : z->next_look);
     if (overlap_find(z, looser)) {
         z->out->count = 0;
         z->out->merged = false;

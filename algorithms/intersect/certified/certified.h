@@ -217,7 +217,8 @@ bool point_settle(struct solver *z);
 
 /* Adds c; a CANDIDATE wider than asked means that the problem is not SOLVED. */
 void record_add(struct solver *z, const struct crossing *c);
-/* Clusters and candidates within another cluster say nothing new: it holds all solutions in its rectangle. */
+/* Clusters and candidates within another cluster say nothing new: it holds all solutions in its rectangle.
+ * Nor does a solution's record around another one. */
 void records_tidy(struct solver *z);
 /* Where there is no room, the pair becomes a record. */
 void pair_push(struct solver *z, int level, int f, int g, int rest);

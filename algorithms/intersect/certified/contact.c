@@ -7,6 +7,11 @@
  * one least value; let x0 be a point of the common range near it (the end of the range if it is beyond) and
  * |D(x0) - d| <= e, |D'(x0) - k| <= e':
  *
+ * The ends of the common range are known to 1.5 E <= x_error, and x0 is within 2 x_error and its own noise of
+ * an end, so at an end solutions may lie as much as a = 4 x_error past x0.  There |D'| <= |D'(x0)| + M a, and
+ * D differs from D(x0) by at most a times that: e and e' are enlarged by so much, and with these e and e'
+ * what follows holds for x0 moved to the true end.
+ *
  * - D(x) >= D(x0) - (D'(x0))^2 / (2m): if positive, there is no solution.  If x0 is the first end of the
  * range and D'(x0) >= 0, D >= D(x0) on it, likewise at the last.
  * - Solutions satisfy m dx^2 / 2 <= |D'(x0)| |dx| + |D(x0)|-: where D(x0) may be 0 they are all within rho =
@@ -127,6 +132,14 @@ static bool descend(const struct side *c, const struct gap_view *from, int direc
     return false;
 }
 
+/* The view holds for an end of the common range, which may be elsewhere by 4 x_error. */
+static void widen(const struct side *c, struct gap_view *at)
+{
+    const real away = 4 * c->h->x_error;
+    at->slope_error += c->M * away;
+    at->gap_error += away * (real_abs(at->slope) + at->slope_error);
+}
+
 /* One side of `at` (-1: smaller x), where D is monotone. */
 static enum verdict settle_side(const struct side *c, const struct gap_view *at, int direction)
 {
@@ -141,8 +154,11 @@ static enum verdict settle_side(const struct side *c, const struct gap_view *at,
             return CLOSED;
         }
     }
-    return look_at(c, direction < 0 ? c->h->x.lo : c->h->x.hi, &now) && now.gap < -now.gap_error ? CLOSED
-                                                                                                 : OPEN;
+    if (!look_at(c, direction < 0 ? c->h->x.lo : c->h->x.hi, &now)) {
+        return OPEN;
+    }
+    widen(c, &now);
+    return now.gap < -now.gap_error ? CLOSED : OPEN;
 }
 
 enum verdict contact_settle(struct solver *z, int level, const struct node *f, const struct node *g,
@@ -153,6 +169,9 @@ enum verdict contact_settle(struct solver *z, int level, const struct node *f, c
     int end;
     if (!convex(h, &c) || !look_at_least(&c, &at, &end)) {
         return OPEN;
+    }
+    if (end) {
+        widen(&c, &at);
     }
     /* at an end: how much D may fall into the range; else, to its least value */
     real steep = (end ? real_max(end * at.slope, (real)0) : real_abs(at.slope)) + at.slope_error;

@@ -242,6 +242,12 @@ static bool overlap(const struct interval *a, const struct interval *b)
     return a->lo <= b->hi && b->lo <= a->hi;
 }
 
+/* a holds one solution, and so does b, a part of it. */
+static bool is_part(const struct crossing *b, const struct crossing *a)
+{
+    return a->standing == UNIQUE && b->standing == UNIQUE && within(&b->t, &a->t) && within(&b->s, &a->s);
+}
+
 /* Is there at most one zero of the extended pair in a rectangle that holds both? */
 static bool holds_one(struct solver *z, const struct crossing *a, const struct crossing *b)
 {
@@ -249,6 +255,9 @@ static bool holds_one(struct solver *z, const struct crossing *a, const struct c
     real t0 = real_min(a->t.lo, b->t.lo), t1 = real_max(a->t.hi, b->t.hi);
     real s0 = real_min(a->s.lo, b->s.lo), s1 = real_max(a->s.hi, b->s.hi);
     real width = real_max(t1 - t0, s1 - s0), w = (real)1 / 16;
+    if (is_part(a, b) || is_part(b, a)) {
+        return true;
+    }
     for (int k = 0; k < TRIES && w > 2 * width; k++, w = w / SMALLER) {
         struct node f, g;
         struct zero found;
@@ -322,6 +331,7 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     struct crossing c = {t, s, whole ? CLUSTER : CANDIDATE, whole ? at_most : 0, 0};
     if (whole && exists) {
         c.standing = near_end(&t) || near_end(&s) ? END : UNIQUE;
+        c.multiplicity = c.standing == UNIQUE && at_most == 1;
     }
     const real shorter = (real)1 / 16;
     /* two solutions are told apart, or from none, at any tolerance */

@@ -21,7 +21,7 @@
  * are taken for [0, 1]; nothing is known about their coordinates. */
 struct front {
     const struct curve *f, *g;
-    real tolerance_t, tolerance_s; /* 4 REAL_EPSILON to 1/16 */
+    real tolerance_t, tolerance_s; /* 4 REAL_EPSILON to 1/16; read as a pair */
     int steps, max_steps;          /* taken: the kernel counts them; at most so many */
     struct crossings *out;         /* records are added, with t and s as for f and g */
     struct rest *rest;

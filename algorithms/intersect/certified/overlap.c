@@ -167,7 +167,8 @@ static bool next_arc(struct places *p, real least, struct shared *out)
 bool overlap_find(struct solver *z, int looser)
 {
     const struct level *v = &z->level[0];
-    const real near = real_ldexp(64 * (v->f.node_error + v->g.node_error), looser), least = real_ldexp(1, -REAL_BITS / 3);
+    const real near = real_ldexp(64 * (v->f.node_error + v->g.node_error), looser),
+               least = real_ldexp(1, -REAL_BITS / 3);
     struct places p;
     struct shared arc;
     bool found = false;

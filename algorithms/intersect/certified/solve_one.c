@@ -137,8 +137,9 @@ static inline enum search newton(const int n, const bool f_rational, const int m
              past_g = extended(m, g_rational, &v->g, &b, s, &q);
         real x = p.x - q.x, y = p.y - q.y, far = real_max(real_abs(x), real_abs(y));
         d.error = a.noise + b.noise + past_f * a.slope_noise + past_g * b.slope_noise;
-        real rt = a.reach * (far * (1 + 4 * REAL_EPSILON) + d.error);
-        real rs = b.reach * (far * (1 + 4 * REAL_EPSILON) + d.error);
+        /* t +- rt rounds too */
+        real rt = a.reach * (far * (1 + 4 * REAL_EPSILON) + d.error) + REAL_EPSILON * real_abs(t);
+        real rs = b.reach * (far * (1 + 4 * REAL_EPSILON) + d.error) + REAL_EPSILON * real_abs(s);
         if ((t - rt > a.hi) | (t + rt < a.lo) | (s - rs > b.hi) | (s + rs < b.lo)) {
             return NO_ZERO;
         }

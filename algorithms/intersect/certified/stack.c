@@ -11,18 +11,25 @@ void record_add(struct solver *z, const struct crossing *c)
     crossings_add(z->out, c);
 }
 
-/* Is all of a said by b as well? */
+static bool lies_in(const struct crossing *a, const struct crossing *b)
+{
+    return b->t.lo <= a->t.lo && a->t.hi <= b->t.hi && b->s.lo <= a->s.lo && a->s.hi <= b->s.hi;
+}
+
+/* Is all of a said by b as well?  Two records of one solution each, one within the other, hold the same. */
 static bool is_idle(const struct crossing *a, const struct crossing *b)
 {
-    return (a->standing == CLUSTER || a->standing == CANDIDATE) && b->standing == CLUSTER &&
-           b->t.lo <= a->t.lo && a->t.hi <= b->t.hi && b->s.lo <= a->s.lo && a->s.hi <= b->s.hi;
+    if (b->standing == UNIQUE) {
+        return a->standing == UNIQUE && lies_in(b, a);
+    }
+    return b->standing == CLUSTER && (a->standing == CLUSTER || a->standing == CANDIDATE) && lies_in(a, b);
 }
 
 void records_tidy(struct solver *z)
 {
     struct crossing *at = z->out->at;
     for (int i = 0; i < z->out->count; i++) {
-        for (int k = 0; at[i].standing == CLUSTER && k < z->out->count; k++) {
+        for (int k = 0; k < z->out->count; k++) {
             if (k != i && is_idle(&at[k], &at[i])) {
                 at[k] = at[--z->out->count];
                 i = k = -1; /* what has moved may hold others: again from the beginning */
