@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 FUZZ = ROOT / "build/fuzz"
 SECONDS = int(os.environ.get("FUZZ_SECONDS", "60"))
-OPTIONS = ["-len_control=0", "-max_len=1024", "-timeout=20", "-print_final_stats=1", "-seed=1"]
+OPTIONS = ["-len_control=0", "-max_len=1024", "-timeout=120", "-print_final_stats=1", "-seed=1"]
 PLANTED_SECONDS = 60  # it takes one
 
 

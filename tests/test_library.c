@@ -262,6 +262,14 @@ static void mistakes_are_told(void **state)
     expect_error(w, &f.curve, &g.curve, &steps, "max_steps");
     struct fatline_answer a;
     assert_true(fatline_intersect(w, &f.curve, &f.curve, &few, &a) == FATLINE_OUT_OF_STEPS && a.steps == 1);
+    const double along[] = {1e-16, 0, 0, 0}, back[] = {0, 0, 1e-16, 0}, point[] = {0, 0, 0, 0, 0, 0};
+    const struct fatline_curve line = {1, along, NULL}, other = {1, back, NULL}, still = {2, point, NULL};
+    for (few.max_steps = 1; few.max_steps < 10; few.max_steps++) {
+        fatline_intersect(w, &line, &other, &few, &a);
+        assert_true(a.steps <= few.max_steps);
+        fatline_intersect(w, &still, &line, &few, &a);
+        assert_true(a.steps <= few.max_steps);
+    }
     free(memory);
 }
 

@@ -6,9 +6,10 @@ A file tests/proofs/X.g states a bound as the C sources do and proves it.  Its c
     # in: FILE         what follows stands in this file, but for white space
     # C: TEXT          in the code
     # says: TEXT       in a comment
+    # also: A=B ...    proved again with each A replaced by its B
     # control: A B     with B instead of A, which is tighter, Gappa must not prove it
 
-Some file named in it names X.g.  S, the largest coordinate, is taken in [1, 2), as scaling by powers of two changes no
+Some file named in it names X.g, or holds what it says.  S, the largest coordinate, is taken in [1, 2), as scaling by powers of two changes no
 rounding; so a bound k u S is proved as k 2^-53 for all inputs up to 2.  Subnormal numbers are part of Gappa's model."""
 
 import re
@@ -44,6 +45,7 @@ def tied(path, text):
     """What the proof says of the sources and is not so."""
     source, named = "", False
     for word, what in re.findall(r"^# (in|C|says): (.*)$", text, flags=re.M):
+        named = named or word == "says"
         if word == "in":
             source = (ROOT / what).read_text()
             named = named or path.name in source
@@ -53,17 +55,24 @@ def tied(path, text):
         yield "none of the sources names it"
 
 
+def others(text, body):
+    for line in re.findall(r"^# also: (.*)$", text, flags=re.M):
+        by = dict(pair.split("=") for pair in line.split())
+        yield re.sub(r"(?<![\w.])(" + "|".join(map(re.escape, by)) + r")(?![\w.])", lambda m: by[m.group()], body)
+
+
 def complaints(path):
     text = path.read_text()
     yield from tied(path, text)
-    proved, why = is_proved(text)
-    if not proved:
-        yield f"not proved: {why}"
+    body = re.sub(r"^#.*$", "", text, flags=re.M)
+    for statement in [body, *others(text, body)]:
+        proved, why = is_proved(statement)
+        if not proved:
+            yield f"not proved: {why}"
     controls = re.findall(r"^# control: (\S+) (\S+)$", text, flags=re.M)
     if not controls:
         yield "no control"
     for loose, tight in controls:
-        body = re.sub(r"^#.*$", "", text, flags=re.M)
         if loose not in body:
             yield f"no bound {loose}"
         elif is_proved(body.replace(loose, tight))[0]:

@@ -191,6 +191,7 @@ AVX2_INLINE bool trial_begin(struct kernel *k, struct pair_of_parts at)
     t->waiting = k->waiting;
     t->records = k->z->out->count;
     t->last_step = k->z->steps + TRIAL_STEPS;
+    t->last_step = t->last_step < k->last_step ? t->last_step : k->last_step;
     return true;
 }
 

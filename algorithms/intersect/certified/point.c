@@ -76,8 +76,8 @@ static void follow(struct passing *p)
     part.points = numbers;
     while (count > 0) {
         struct interval at = waiting[--count];
-        bool over = p->z->w->steps >= p->z->p->max_steps || count + 2 > DEPTH_MAX;
-        p->z->w->steps++;
+        bool last = p->z->w->steps >= p->z->p->max_steps, over = last || count + 2 > DEPTH_MAX;
+        p->z->w->steps += !last;
         node_cut(p->curve, at.lo, at.hi, &part);
         if (!nodes_meet(p->point, &part)) {
             continue;
