@@ -171,7 +171,7 @@ AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
 .PHONY: all tests check check-full setup setup-build setup-check setup-reproduce reproduce figures claims peers-table \
-        peers-contacts certified-masses regions paths comparisons trials instructions against-lib2geom fuzz format clean help
+        peers-contacts certified-masses regions paths speed comparisons trials instructions against-lib2geom fuzz format clean help
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
 
@@ -211,6 +211,9 @@ certified-masses: all ## a million random pairs and 137,000 adversarial ones, ju
 
 regions: build/double/fatline-region ## judge random regions and time regions (1 minute; FULL=1: 10,000 random ones)
 	@$(PYTHON) scripts/regions.py $(if $(filter-out 0,$(FULL)),--full)
+
+speed: all ## time `certified` beside its portable engine and two libraries, family by family (4 minutes, on a quiet machine)
+	@$(PYTHON) scripts/speed
 
 comparisons: ## profiles, growth, accuracy, every two algorithms, from results/raw/
 	@$(PYTHON) scripts/comparisons.py
