@@ -187,12 +187,12 @@ FATLINE_API size_t fatline_batch_workspace_size(void);
 struct fatline_batch_workspace;
 FATLINE_API struct fatline_batch_workspace *fatline_batch_workspace_init(void *memory, size_t size);
 
-/* Settles the pairs first..count-1, eight or four at a time where the processor has AVX-512 or AVX2.  Each
- * gets what fatline_intersect says of it: the same outcome, and the same records with the same standings,
- * whose rectangles hold the same solutions; bits differ, with the processor and with the company of a pair,
- * and max_steps bounds only what is not decided at once.  Where rounding is not small against the curves (far
- * from the origin, and tiny) one of the two may prove that nothing is there while the other reports an END,
- * whose solution is beyond the end, or a CANDIDATE.
+/* Settles the pairs first..count-1; options may be NULL.  Where the processor has AVX-512 or AVX2 eight or
+ * four are taken at a time.  Each gets what fatline_intersect says of it: the same outcome, and the same
+ * records with the same standings, whose rectangles hold the same solutions; bits differ, with the processor
+ * and with the company of a pair, and max_steps bounds only what is not decided at once.  Where rounding is
+ * not small against the curves (far from the origin, and tiny) one of the two may prove that nothing is there
+ * while the other reports an END, whose solution is beyond the end, or a CANDIDATE.
  *
  * SOLVED: all are settled, each with its own outcome; it is FATLINE_INVALID, without records, where there is
  * no such degree or a coordinate is not finite.  OUT_OF_ROOM: an array was full; a call with first = done

@@ -9,7 +9,7 @@
 #include "../algorithms/batch.h"
 #include "../algorithms/fatline.h"
 
-enum { CURVES = 400, PAIRS = 2700, ROOM = 12000, OVERLAP_ROOM = 400 };
+enum { CURVES = 400, PAIRS = 2700, ROOM = 12000, OVERLAP_ROOM = 2 * (int)PAIRS };
 
 /* Two tables and pairs of both: some of a curve with itself or with the same curve reversed. */
 static struct {
@@ -249,6 +249,26 @@ static void room_for_few(void **state)
     run_clear(&whole);
 }
 
+/* Shared arcs in all pairs: the library's own arrays are full before the caller's. */
+static void arcs_in_all(void **state)
+{
+    (void)state;
+    draw_table(7);
+    for (int k = 0; k < PAIRS; k++)
+        table.f_index[k] = table.g_index[k] = k / 50 * 50 % CURVES;
+    struct run z;
+    solve_all(&z);
+    assert_true(z.a.overlaps >= PAIRS);
+    for (int k = 50; k < PAIRS; k++) /* groups of fifty are the same pair */
+        assert_int_equal(z.a.outcome[k], z.a.outcome[k / 50 * 50]);
+    int count[PAIRS] = {0};
+    for (int i = 0; i < z.a.overlaps; i++)
+        count[z.a.overlap[i].pair]++;
+    for (int k = 0; k < PAIRS; k++)
+        assert_true(count[k] >= 1 && count[k] == count[k / 50 * 50]);
+    run_clear(&z);
+}
+
 /* ---- what is no problem ---- */
 
 /* A pair with such a curve is INVALID and has no records; all others have as many as ever. */
@@ -377,7 +397,7 @@ int main(void)
         cmocka_unit_test(same_as_the_batch), cmocka_unit_test(same_as_single_calls),
         cmocka_unit_test(room_for_few),      cmocka_unit_test(bad_curves),
         cmocka_unit_test(bad_indices),       cmocka_unit_test(mistakes_are_told),
-        cmocka_unit_test(memory_is_checked),
+        cmocka_unit_test(memory_is_checked), cmocka_unit_test(arcs_in_all),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

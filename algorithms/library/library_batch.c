@@ -2,8 +2,8 @@
 #include "../batch.h"
 #include "library.h"
 
-/* A block is two chunks of batch.c; of most blocks all records have room. */
-enum { BLOCK = 1024, RECORDS = 4 * (int)BLOCK + (int)CROSSINGS_MAX, OVERLAPS = 64 + (int)OVERLAPS_MAX };
+/* A block is a chunk of batch.c, with room for nine records of every pair, or any number of one. */
+enum { BLOCK = 512, RECORDS = 9 * (int)BLOCK + (int)CROSSINGS_MAX, OVERLAPS = 256 + (int)OVERLAPS_MAX };
 
 _Static_assert((int)FATLINE_SOLVED == (int)SOLVED && (int)FATLINE_OUT_OF_STEPS == (int)OUT_OF_STEPS &&
                    (int)FATLINE_OUT_OF_ROOM == (int)OUT_OF_ROOM &&
