@@ -5,7 +5,8 @@
  *
  * MEMORY.  No call allocates, opens, prints or exits.  All memory is a workspace: the caller asks for its
  * size, provides the bytes and releases them when they are no longer needed; there is nothing else to
- * release. Answers lie in the workspace and are good until its next use.  Input arrays are read during a call
+ * release. Answers lie in the workspace and are good until its next use; those of fatline_batch lie in arrays
+ * of the caller's.  Input arrays are read during a call
  * only, unless it is said otherwise.  A workspace may be used for any number of problems, in any order: the
  * answer depends on the problem alone, bit for bit.
  *
@@ -134,10 +135,73 @@ FATLINE_API enum fatline_outcome fatline_intersect(struct fatline_workspace *w, 
                                                    const struct fatline_options *options,
                                                    struct fatline_answer *out);
 
-/* The point of a valid curve at t in [0, 1]; each coordinate errs by at most (6 degree + 4) 2^-53 max
- * |coordinate|.
- */
+/* The point of a valid curve at t in [0, 1]; each coordinate errs by at most (6 degree + 4) 2^-53 times the
+ * largest |coordinate|. */
 FATLINE_API void fatline_point(const struct fatline_curve *c, double t, double point[2]);
+
+/* ---- many pairs of curves
+ * ------------------------------------------------------------------------------------ */
+
+/* Polynomial curves of degree 1 to 3.  Curve i has its control points in points[8 i ..]: x at 0..degree[i], y
+ * at 4..4 + degree[i]; the rest of the eight is not looked at.  degree NULL: all are cubics. */
+struct fatline_table {
+    int count;
+    const double *points; /* fastest where 64 divides the address */
+    const unsigned char *degree;
+};
+
+/* Pair k is curve f_index[k] of f with curve g_index[k] of g; NULL: k.  f and g may be one table, and a curve
+ * may be in many pairs. */
+struct fatline_pairs {
+    struct fatline_table f, g;
+    const int *f_index, *g_index;
+    int count;
+};
+
+struct fatline_batch_crossing {
+    int pair;
+    struct fatline_crossing at;
+};
+
+struct fatline_batch_overlap {
+    int pair;
+    struct fatline_overlap at;
+};
+
+/* Before the call: the caller's arrays and their room; outcome has an element for each pair.  After it:
+ * outcome[k], an enum fatline_outcome, for the pairs first..done-1, and all their records; those of one pair
+ * need not be next to each other, nor pairs in order. */
+struct fatline_batch_answer {
+    struct fatline_batch_crossing *crossing;
+    struct fatline_batch_overlap *overlap;
+    unsigned char *outcome;
+    int room, overlap_room;
+    int count, overlaps;
+    int done;
+    const char *error; /* NULL unless INVALID */
+};
+
+/* Less than a megabyte. */
+FATLINE_API size_t fatline_batch_workspace_size(void);
+
+struct fatline_batch_workspace;
+FATLINE_API struct fatline_batch_workspace *fatline_batch_workspace_init(void *memory, size_t size);
+
+/* Settles the pairs first..count-1; options may be NULL.  Where the processor has AVX-512 or AVX2 eight or
+ * four are taken at a time.  Each gets what fatline_intersect says of it: the same outcome, and the same
+ * records with the same standings, whose rectangles hold the same solutions; bits differ, with the processor
+ * and with the company of a pair, and max_steps bounds only what is not decided at once.  Where rounding is
+ * not small against the curves (far from the origin, and tiny) one of the two may prove that nothing is there
+ * while the other reports an END, whose solution is beyond the end, or a CANDIDATE.
+ *
+ * SOLVED: all are settled, each with its own outcome; it is FATLINE_INVALID, without records, where there is
+ * no such degree or a coordinate is not finite.  OUT_OF_ROOM: an array was full; a call with first = done
+ * goes on.  FATLINE_CROSSINGS_MAX and FATLINE_OVERLAPS_MAX are room enough for any pair.  INVALID: see
+ * `error`; where an index of pair `done` is not within its table, the pairs before are settled. */
+FATLINE_API enum fatline_outcome fatline_batch(struct fatline_batch_workspace *w,
+                                               const struct fatline_pairs *pairs,
+                                               const struct fatline_options *options, int first,
+                                               struct fatline_batch_answer *out);
 
 /* ---- where a control point may go
  * ---------------------------------------------------------------------------- */

@@ -16,7 +16,7 @@ HEADER = ROOT / "algorithms/fatline.h"
 # All that the library may ask of others: these functions of libc and libm, and what libgcc knows of the processor.  None
 # allocates, prints or keeps a state.
 MAY_CALL = {"_GLOBAL_OFFSET_TABLE_", "__cpu_model", "memcpy", "memmove", "memset", "memcmp", "strcmp", "frexp", "ldexp", "sqrt", "atan2",
-            "tan", "sin", "cos", "fabs", "fma", "cbrt", "acos", "exp2", "log2", "pow", "floor", "ceil"}
+            "tan", "sin", "cos", "fabs", "fma", "fmax", "fmin", "cbrt", "acos", "exp2", "log2", "pow", "floor", "ceil"}
 COMPILERS = {"gcc": ["gcc"], "clang": ["clang"], "g++": ["g++", "-x", "c++"], "clang++": ["clang++", "-x", "c++"]}
 STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 

@@ -34,6 +34,40 @@ enum fatline_outcome outcome_public(enum outcome o)
                                : FATLINE_INVALID;
 }
 
+void crossing_public(const struct crossing *c, struct fatline_crossing *to)
+{
+    static const enum fatline_standing standing[] = {FATLINE_CANDIDATE, FATLINE_UNIQUE, FATLINE_END,
+                                                     FATLINE_CLUSTER};
+    to->t_lo = c->t.lo;
+    to->t_hi = c->t.hi;
+    to->s_lo = c->s.lo;
+    to->s_hi = c->s.hi;
+    to->standing = standing[c->standing];
+    to->at_most = c->standing == CANDIDATE ? 0 : c->at_most;
+}
+
+void overlap_public(const struct overlap *o, int e, struct fatline_overlap *to)
+{
+    to->t_outer_lo = o->t_outer.lo;
+    to->t_outer_hi = o->t_outer.hi;
+    to->s_outer_lo = o->s_outer.lo;
+    to->s_outer_hi = o->s_outer.hi;
+    to->t_inner_lo = o->t_inner.lo;
+    to->t_inner_hi = o->t_inner.hi;
+    to->s_inner_lo = o->s_inner.lo;
+    to->s_inner_hi = o->s_inner.hi;
+    to->distance = real_ldexp(o->distance, -e);
+    to->reversed = o->reversed;
+}
+
+const char *options_error(const struct fatline_options *o)
+{
+    if (o && (!(o->tolerance >= 0) || !real_is_finite(o->tolerance))) {
+        return "the tolerance is not finite and at least 0";
+    }
+    return o && o->max_steps < 0 ? "max_steps is negative" : NULL;
+}
+
 const char *fatline_version(void)
 {
     return FATLINE_VERSION;

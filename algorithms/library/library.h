@@ -9,5 +9,12 @@
 bool memory_fits(const void *memory, size_t size, size_t wanted);
 
 enum fatline_outcome outcome_public(enum outcome o);
+void crossing_public(const struct crossing *c, struct fatline_crossing *to);
+/* of coordinates that were multiplied by 2^e */
+void overlap_public(const struct overlap *o, int e, struct fatline_overlap *to);
+
+#define TOLERANCE_USUAL 1e-12
+/* NULL, or a sentence; NULL stands for the usual options. */
+const char *options_error(const struct fatline_options *o);
 
 #endif

@@ -94,10 +94,7 @@ static const char *error_of(int degree, const struct fatline_curve *f, const str
     if (of_f != NOTHING || of_g != NOTHING) {
         return of_f != NOTHING ? errors[of_f][0] : errors[of_g][1];
     }
-    if (o && (!(o->tolerance >= 0) || !real_is_finite(o->tolerance))) {
-        return "the tolerance is not finite and at least 0";
-    }
-    return o && o->max_steps < 0 ? "max_steps is negative" : NULL;
+    return options_error(o);
 }
 
 /* ---- from points and weights to homogeneous coordinates ---- */
@@ -147,37 +144,13 @@ static void take_curve(const struct fatline_curve *c, int e, real *to, struct cu
 
 /* ---- the records ---- */
 
-static void give_crossings(struct fatline_workspace *w)
+static void give_records(struct fatline_workspace *w, int e)
 {
-    static const enum fatline_standing standing[] = {FATLINE_CANDIDATE, FATLINE_UNIQUE, FATLINE_END,
-                                                     FATLINE_CLUSTER};
     for (int i = 0; i < w->found.count; i++) {
-        const struct crossing *c = &w->found.at[i];
-        struct fatline_crossing *to = &w->crossing[i];
-        to->t_lo = c->t.lo;
-        to->t_hi = c->t.hi;
-        to->s_lo = c->s.lo;
-        to->s_hi = c->s.hi;
-        to->standing = standing[c->standing];
-        to->at_most = c->standing == CANDIDATE ? 0 : c->at_most;
+        crossing_public(&w->found.at[i], &w->crossing[i]);
     }
-}
-
-static void give_overlaps(struct fatline_workspace *w, int e)
-{
     for (int i = 0; i < w->found.overlaps; i++) {
-        const struct overlap *o = &w->found.overlap[i];
-        struct fatline_overlap *to = &w->overlap[i];
-        to->t_outer_lo = o->t_outer.lo;
-        to->t_outer_hi = o->t_outer.hi;
-        to->s_outer_lo = o->s_outer.lo;
-        to->s_outer_hi = o->s_outer.hi;
-        to->t_inner_lo = o->t_inner.lo;
-        to->t_inner_hi = o->t_inner.hi;
-        to->s_inner_lo = o->s_inner.lo;
-        to->s_inner_hi = o->s_inner.hi;
-        to->distance = real_ldexp(o->distance, -e);
-        to->reversed = o->reversed;
+        overlap_public(&w->found.overlap[i], e, &w->overlap[i]);
     }
 }
 
@@ -185,7 +158,7 @@ enum fatline_outcome fatline_intersect(struct fatline_workspace *w, const struct
                                        const struct fatline_curve *g, const struct fatline_options *options,
                                        struct fatline_answer *out)
 {
-    const struct fatline_options usual = {1e-12, STEPS_MAX}, *o = options ? options : &usual;
+    const struct fatline_options usual = {TOLERANCE_USUAL, STEPS_MAX}, *o = options ? options : &usual;
     struct problem p = {0};
     out->error = error_of(w->degree, f, g, o);
     out->outcome = FATLINE_INVALID;
@@ -205,8 +178,7 @@ enum fatline_outcome fatline_intersect(struct fatline_workspace *w, const struct
     out->count = w->found.count;
     out->overlaps = w->found.overlaps;
     out->steps = w->workspace.steps;
-    give_crossings(w);
-    give_overlaps(w, e);
+    give_records(w, e);
     return out->outcome;
 }
 
