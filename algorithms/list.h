@@ -52,7 +52,7 @@ CONTROL(control_no_margin)
 CONTROL(control_normal_not_unit)
 CONTROL(control_no_delta)
 
-#define INTERSECTOR_DEFAULT bezier_clipping
+#define INTERSECTOR_DEFAULT certified
 
 /* The same for the second part. */
 #ifdef REGION_METHOD
