@@ -309,21 +309,6 @@ static real whole(int count, int segment, real t)
     return (segment + t) / count;
 }
 
-/* Two records of one pair that each hold one solution, and meet, count once here: the pair's solver may tell
- * a solution next to one of its cuts twice. */
-static int records_apart(const struct path_records *p)
-{
-    int count = 0;
-    for (int r = 0; r < p->count; r++) {
-        bool doubled = false;
-        for (int k = 0; k < r; k++)
-            doubled = doubled || (spans_touch(&p->at[p->order[r]].a, &p->at[p->order[k]].a) &&
-                                  spans_touch(&p->at[p->order[r]].b, &p->at[p->order[k]].b));
-        count += !doubled;
-    }
-    return count;
-}
-
 static bool is_crossing(int n, int m, const struct path_record *q, const struct crossing *x)
 {
     return whole(n, q->a.first, q->a.lo) <= x->t.hi + REAL_EPSILON &&
@@ -336,7 +321,7 @@ static bool is_crossing(int n, int m, const struct path_record *q, const struct 
  * where all is decided, which may fail where they nearly touch, there are as many records, each simple. */
 static void check_same(const struct crossings *c, const struct path_job *job, long seed, int *undecided)
 {
-    int n = job->a->path.count, m = job->b->path.count, count = records_apart(&job->records);
+    int n = job->a->path.count, m = job->b->path.count, count = job->records.count;
     bool simple = true, seen[CROSSINGS_MAX];
     memset(seen, 0, sizeof seen);
     for (int r = 0; r < job->records.count; r++) {
@@ -353,22 +338,6 @@ static void check_same(const struct crossings *c, const struct path_job *job, lo
     if (simple && count != c->count)
         fail_msg("run %ld, %d x %d pieces: %d records, expected %d", seed, n, m, count, c->count);
     *undecided += !simple;
-}
-
-/* Two records of a pair of which each holds one solution, and that meet, are told as one here: which of the
- * two a path takes is open. */
-static void drop_doubles(struct crossings *c)
-{
-    int kept = 0;
-    for (int k = 0; k < c->count; k++) {
-        bool doubled = false;
-        for (int i = 0; i < kept; i++)
-            doubled = doubled || (c->at[i].t.lo <= c->at[k].t.hi && c->at[k].t.lo <= c->at[i].t.hi &&
-                                  c->at[i].s.lo <= c->at[k].s.hi && c->at[k].s.lo <= c->at[i].s.hi);
-        if (!doubled)
-            c->at[kept++] = c->at[k];
-    }
-    c->count = kept;
 }
 
 static bool all_simple(const struct crossings *c)
@@ -423,7 +392,6 @@ static void cutting_changes_nothing(void **state)
         solve_whole(f, g, found);
         if (!all_simple(found))
             continue;
-        drop_doubles(found);
         tried++;
         for (int cuts = 0; cuts <= 2; cuts++) {
             struct path_set set = {0, 0, NULL};

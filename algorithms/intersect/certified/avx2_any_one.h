@@ -79,11 +79,14 @@ AVX2_ANY void side_make(const struct arcs *c, int k, const struct arc *other, do
 }
 
 /* What is left of |H| after the last step (dt, ds), and radii by the whole part and by the zero's own
- * neighbourhood: solve_one.c, (1) and (2). */
-AVX2_ANY void radii_make(const struct ready *of_f, const struct ready *of_g, double dt, double ds, double det,
+ * neighbourhood: solve_one.c, (1) and (2).  False: k u > 1/128 there, and nothing is proved. */
+AVX2_ANY bool radii_make(const struct ready *of_f, const struct ready *of_g, double dt, double ds, double det,
                          double error, struct side *f, struct side *g)
 {
     double df = fabs(f->dx) + fabs(f->dy), dg = fabs(g->dx) + fabs(g->dy);
+    if (!(64 * DBL_EPSILON * (df * dg) <= det)) {
+        return false;
+    }
     double tilt = df * dg / det, way = df * dt + dg * ds;
     double left =
         2 * error + way * (8 * DBL_EPSILON * (1 + tilt)) + of_f->slope_noise * dt + of_g->slope_noise * ds;
@@ -99,6 +102,7 @@ AVX2_ANY void radii_make(const struct ready *of_f, const struct ready *of_g, dou
     }
     f->radius += DBL_EPSILON * fabs(f->t);
     g->radius += DBL_EPSILON * fabs(g->t);
+    return true;
 }
 
 AVX2_ANY bool is_outside(const struct side *a, double radius)
@@ -125,7 +129,9 @@ FATLINE_AVX2 static enum search_of_one one_zero(const struct ready *of_f, const 
         f->t -= dt;
         g->t -= ds;
         if (f->bend * (dt * dt) + g->bend * (ds * ds) <= 2 * error) {
-            radii_make(of_f, of_g, fabs(dt), fabs(ds), fabs(det), error, f, g);
+            if (!radii_make(of_f, of_g, fabs(dt), fabs(ds), fabs(det), error, f, g)) {
+                return LOST;
+            }
             return is_outside(f, f->radius) || is_outside(g, g->radius) ? NOWHERE : SOMEWHERE;
         }
     }

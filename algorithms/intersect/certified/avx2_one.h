@@ -111,15 +111,18 @@ AVX2_INLINE __m256d both_halves(__m256d a)
     return _mm256_add_pd(a, other_half(a));
 }
 
-/* solve_one.c: radii after the last step, noise E there. */
-AVX2_INLINE __m256d newton_radii(const struct powers *p, const struct arms *a, const struct newton *n,
-                                 __m256d noise, __m256d at)
+/* solve_one.c: radii after the last step, noise E there.  False: k u > 1/128, and nothing is proved. */
+AVX2_INLINE bool newton_radii(const struct powers *p, const struct arms *a, const struct newton *n,
+                              __m256d noise, __m256d at, __m256d *out)
 {
     const __m256d eps = _mm256_set1_pd(DBL_EPSILON), one = _mm256_set1_pd(1),
                   up = _mm256_set1_pd(1 + 8 * DBL_EPSILON);
     __m256d step = absolute(n->by), det = absolute(n->det), own = absolute(n->slope);
     own = _mm256_add_pd(own, neighbours(own)); /* |f'|, |f'|, |g'|, |g'| */
     __m256d its = other_half(own), area = _mm256_mul_pd(own, its);
+    if (!(64 * DBL_EPSILON * _mm256_cvtsd_f64(area) <= _mm256_cvtsd_f64(det))) {
+        return false;
+    }
     __m256d solving =
         _mm256_mul_pd(_mm256_set1_pd(8 * DBL_EPSILON), _mm256_add_pd(one, _mm256_div_pd(area, det)));
     __m256d way = _mm256_mul_pd(step, _mm256_fmadd_pd(own, solving, p->slope_noise));
@@ -134,7 +137,8 @@ AVX2_INLINE __m256d newton_radii(const struct powers *p, const struct arms *a, c
                                   _mm256_add_pd(its, _mm256_add_pd(its_change, its_change)));
     __m256d holds = _mm256_cmp_pd(_mm256_add_pd(least, least), det, _CMP_GT_OQ);
     radius = _mm256_blendv_pd(radius, _mm256_min_pd(radius, sharp), holds);
-    return _mm256_fmadd_pd(eps, absolute(at), radius);
+    *out = _mm256_fmadd_pd(eps, absolute(at), radius);
+    return true;
 }
 
 /* The zero of parts with parts_cross c > 0, in the curves' own parameters; NO_ZERO: it is outside them. */
@@ -171,8 +175,7 @@ AVX2_INLINE enum search solve_parts(const struct powers *p, const struct part *f
         __m256d rest = both_halves(_mm256_mul_pd(a->bend, _mm256_mul_pd(n.by, n.by)));
         if (_mm256_cvtsd_f64(rest) <= 2 * _mm256_cvtsd_f64(noise)) {
             *zero = at;
-            *radius = newton_radii(p, a, &n, noise, at);
-            return ZERO;
+            return newton_radii(p, a, &n, noise, at, radius) ? ZERO : STUCK;
         }
     }
     return STUCK;

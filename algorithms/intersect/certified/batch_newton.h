@@ -3,7 +3,8 @@
  * First without bounds, on the powers of t, two times LANES zeros at once, since each step waits for the one
  * before it; a lane stops where its step was small.  Then, on the Bernstein coefficients, steps with the
  * proof of solve_one.c until one is small enough to end with: mostly the first.  A lane that never gets
- * there, or whose zero is not well inside its node, is left alone.  No lane's numbers depend on another's. */
+ * there, whose tangents there are too nearly parallel, or whose zero is not well inside its node, is left
+ * alone.  No lane's numbers depend on another's. */
 #ifndef FATLINE_BATCH_NEWTON_H
 #define FATLINE_BATCH_NEWTON_H
 
@@ -283,6 +284,7 @@ LANES_INLINE void prove(struct batch_chunk *z, struct hunt *h)
     do {
         newton_step(h, &ended, &d);
     } while (++steps < ITERATIONS_MAX && wide_bits(h->active & ~ended));
+    ended &= wide_less(64 * DBL_EPSILON * (d.df * d.dg), d.det); /* k u < 1/128 in solve_one.c */
     radii(f, g, h->unit, &d, h->t, h->s, &rt, &rs);
     wide_mask active = h->active & ~(ended & (beyond(f, h->t, rt) | beyond(g, h->s, rs)));
     const wide widest = wide_of(z->tolerance / 2);
