@@ -25,7 +25,7 @@ static const char documentation[] = "Times one algorithm against itself, interle
                                     "and one with the verdict. Exit status: 0 if "
                                     "the ratio's 99 percent interval holds 1 in at least 19 trials of 20, "
                                     "else 1; 2 on an input or output error, 64 on "
-                                    "wrong usage.";
+                                    "wrong usage, 65 on bad data.";
 
 enum { TRIALS = 256, ROUNDS, JSON, FORGET };
 static const double level = 0.99, tolerance = 1e-9;

@@ -113,12 +113,18 @@ def arcs(precision):
 
 def svg_file(precision):
     text = """<?xml version="1.0"?>
-<svg xmlns="http://www.w3.org/2000/svg"><path id="first" class="a" d="M0 0L4 4"/>
+<svg xmlns="http://www.w3.org/2000/svg"><!-- <path d="M0 0L4 0"/> --><path id="first" class="a>b" d="M0 0L4 4"/>
 <g><path fill='none' d='M0 4L4 0'
 /></g><pathology d="M0 0"/></svg>"""
     answer = of_text(precision, text, text)
     pairs = [row["ids"] for row in answer]
     assert ["first", "path2"] in pairs and ["path2", "first"] in pairs, answer
+
+
+def loops(precision):
+    """Two loops that join at one point: `chain` is of overlaps only, and there are none."""
+    answer = of_text(precision, "M0 0C4 4 4-4 0 0C-4 4-4-4 0 0Z")
+    assert len(answer) == 3 and not any("chain" in row for row in answer), answer
 
 
 MISTAKES = [
@@ -146,6 +152,7 @@ MISTAKES = [
     ("{", "line: "),
     ("M1 1\nL 2 q", 'stdin:2: column 5: "q", expected a number (y)'),
     ('<svg>\n<path d="M0 0 L1"/></svg>', "stdin:2: column 17: the end, expected a number (y)"),
+    ('<svg>\n<path d="M0 0 L1', "stdin:2: column 1: <path without an end"),
 ]
 
 
@@ -186,7 +193,7 @@ def beside(precision):
 
 def main():
     tests = [(f"{test.__name__} {p}", test, p)
-             for test in (random_walks, forms, arcs, svg_file, mistakes, usage, times, beside) for p in PRECISIONS]
+             for test in (random_walks, forms, arcs, svg_file, loops, mistakes, usage, times, beside) for p in PRECISIONS]
     print(f"1..{len(tests)}")
     for k, (name, test, precision) in enumerate(tests, 1):
         try:

@@ -259,6 +259,7 @@ static void merge_group(struct joining *j, int root)
     bool known = true, single = true, joint = false;
     if (j->z->self) {
         turn_members(j, root);
+        to->chain = 0;
     }
     struct path_span a = hull_of(j, root, 0), b = hull_of(j, root, 1);
     for (int r = root; r >= 0; r = j->next[4 * r]) {
@@ -280,7 +281,6 @@ static void merge_group(struct joining *j, int root)
     to->a = a;
     to->b = b;
     to->joint = joint;
-    to->chain = 0;
     to->proved = one && !exact;
     if (one || members > 1) {
         to->standing = one ? UNIQUE : known ? CLUSTER : CANDIDATE;

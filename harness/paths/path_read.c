@@ -265,24 +265,52 @@ static int read_tag(struct path_set *set, struct svg_file *f, char *tag, char *e
     return read_plain(set, f->file, id && *id ? id : made, f->whole, (size_t)(data - f->text), data);
 }
 
+/* The byte > of the tag that begins here, outside quotes; NULL: the file ends before. */
+static char *tag_end(char *tag)
+{
+    char quote = 0;
+
+    for (; *tag; tag++) {
+        if (quote ? *tag == quote : *tag == '"' || *tag == '\'')
+            quote = quote ? 0 : *tag;
+        else if (*tag == '>' && !quote)
+            return tag;
+    }
+    return NULL;
+}
+
+/* The next <path ...> that is not in a comment, or NULL. */
+static char *next_tag(char *text)
+{
+    for (char *at = text; (at = strchr(at, '<')) != NULL; at++) {
+        if (!strncmp(at, "<!--", 4)) {
+            if (!(at = strstr(at + 4, "-->")))
+                return NULL;
+        } else if (!strncmp(at, "<path", 5) && at[5] && strchr(" \t\r\n", at[5]))
+            return at;
+    }
+    return NULL;
+}
+
 static int read_svg(struct path_set *set, const char *file, char *text)
 {
     struct svg_file f = {file, text, strdup(text), 0};
-    char *tag = text;
     int worst = 0;
 
     if (strstr(text, "transform"))
         progress_note("%s: transformations are not applied", file);
-    while ((tag = strstr(tag, "<path")) != NULL) {
-        char *end = strchr(tag, '>');
+    for (char *tag = next_tag(text), *end; tag; tag = next_tag(end)) {
+        end = tag_end(tag);
+        if (!end) {
+            int line, column;
 
-        if (!end || !strchr(" \t\r\n", tag[5])) {
-            tag += 5;
-            continue;
+            find_place(f.whole, (size_t)(tag - text), &line, &column);
+            progress_note("%s:%d: column %d: <path without an end, expected >", file, line, column);
+            worst = 65;
+            break;
         }
         if (read_tag(set, &f, tag + 5, end))
             worst = 65;
-        tag = end;
     }
     free(f.whole);
     return worst;

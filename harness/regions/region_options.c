@@ -179,6 +179,8 @@ static error_t parse(int key, char *argument, struct argp_state *state)
             argp_error(state, "--rows goes with --check");
         if (o->check + o->time + (o->repeat > 0) + (o->random > 0) > 1)
             argp_error(state, "one of --check, --time, --repeat and --random only");
+        if (o->random && o->file_count)
+            argp_error(state, "expected either files or --random");
         if (o->count == 0)
             add_method(o, region_methods[0]);
         return 0;

@@ -272,7 +272,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     }
 }
 
-static const struct argp parser = {options, parse, "FILE...", documentation, NULL, NULL, NULL};
+static const struct argp parser = {options, parse, "[FILE...]", documentation, NULL, NULL, NULL};
 
 void time_settings_read(int argc, char **argv, struct time_settings *s)
 {

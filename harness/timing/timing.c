@@ -124,6 +124,8 @@ static void leave_out(struct results *r, const struct work *work, struct timing 
         snprintf(t->why_not, sizeof t->why_not, "%.150s", work[k].contender->left_out);
     else if (t->broken == t->judged && t->judged)
         snprintf(t->why_not, sizeof t->why_not, "broke down on each of %d pairs", t->judged);
+    else if (t->not_taken == t->judged && t->judged)
+        snprintf(t->why_not, sizeof t->why_not, "takes none of %d pairs", t->judged);
     else if (t->missing)
         snprintf(t->why_not, sizeof t->why_not, "missed a root of %d of %d pairs, first %s", t->missing,
                  t->judged, t->first_missing);
