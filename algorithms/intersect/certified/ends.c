@@ -243,10 +243,11 @@ static bool overlap(const struct interval *a, const struct interval *b)
     return a->lo <= b->hi && b->lo <= a->hi;
 }
 
-/* a holds one solution, and so does b, a part of it. */
+/* a holds one solution, or (END) one zero; b, a part of it, holds one solution. */
 static bool is_part(const struct crossing *b, const struct crossing *a)
 {
-    return a->standing == UNIQUE && b->standing == UNIQUE && within(&b->t, &a->t) && within(&b->s, &a->s);
+    return (a->standing == UNIQUE || a->standing == END) && b->standing == UNIQUE && within(&b->t, &a->t) &&
+           within(&b->s, &a->s);
 }
 
 /* Is there at most one zero of the extended pair in a rectangle that holds both? */

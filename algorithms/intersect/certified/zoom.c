@@ -214,7 +214,9 @@ void level_give_up(struct solver *z)
         z->out->count = v->records;
     }
     if (go_on_below(z, &v->otherwise)) {
-        solved_shrink(z, z->levels - 1, &nowhere);
+        for (int i = 1; i < z->levels; i++) { /* the levels around it are open there too */
+            solved_shrink(z, i, &nowhere);
+        }
         return;
     }
     record_add(z, &v->otherwise);
