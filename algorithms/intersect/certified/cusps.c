@@ -18,8 +18,8 @@
  * nearer to P_p B_0 z^p than that is to 0, for |v| = s, |z| <= r the second to Q_q A_0 v^q; so H and (P_p B_0
  * z^p, -Q_q A_0 v^q) have equally many zeros in the polydisc, p q of them with multiplicity (Rouche for
  * several variables: the homotopy has no zero on the border).  Real solutions are among them: at most p q.
- * And with the left side over |P_p B_0|, |z|^p of a zero in the polydisc is at most that: it shrinks to where
- * they are.
+ * And with the left side over |P_p B_0|, |z|^p of a zero in the polydisc is at most that, less than r^p or
+ * not: it shrinks to where they are, and one polydisc on the way where both conditions hold tells how many.
  *
  * Tangents in common.  p = q = 2, along the tangent H begins with a z^2 - c v^2, across it with b z^3 - d
  * v^3. Scale v so that |c| = |a|.  On the border of the polydisc |z|, |v| <= r let the first component differ
@@ -116,7 +116,7 @@ static bool centre_of_order(const struct source *c, const struct node *a, int p,
                             struct germ *out)
 {
     real t = (real)0.5;
-    for (int k = 0; k < 6; k++) {
+    for (int digits = 1; digits < REAL_BITS; digits = 2 * digits) { /* a step doubles them */
         germ_make(c, a, t, x0, y0, out);
         real along = out->x[p - 1] * out->x[p] + out->y[p - 1] * out->y[p];
         real square = out->x[p] * out->x[p] + out->y[p] * out->y[p];
@@ -232,16 +232,16 @@ struct box {
     real r, s;
 };
 
-/* At most p q solutions, all within out of the centres; false if that is not proved. */
+/* At most p q solutions, all within out of the centres; false if that is not proved.  Where one arc is much
+ * longer than the other, the conditions may hold together only when it has been cut down. */
 static bool crossed(const struct germ *a, int p, const struct germ *b, int q, struct box *out)
 {
     real bx = b->x[q], by = b->y[q], ax = a->x[p], ay = a->y[p], r = a->reach, s = b->reach;
+    bool counted = false;
     for (int k = 0; k < 128; k++) {
         real next_r = root_of(bound_crossed(a, p, r, b, s, bx, by), p);
         real next_s = root_of(bound_crossed(b, q, s, a, r, ax, ay), q);
-        if (k == 0 && !(next_r < r && next_s < s)) {
-            return false;
-        }
+        counted |= next_r < r && next_s < s;
         const real less = (real)15 / 16;
         bool same = !(next_r < less * r) && !(next_s < less * s);
         r = real_min(r, next_r);
@@ -252,7 +252,7 @@ static bool crossed(const struct germ *a, int p, const struct germ *b, int q, st
     }
     out->r = r;
     out->s = s;
-    return true;
+    return counted;
 }
 
 /* ---- tangents in common ---- */
