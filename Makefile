@@ -212,7 +212,7 @@ certified-masses: all ## a million random pairs and 137,000 adversarial ones, ju
 regions: build/double/fatline-region ## judge random regions and time regions (1 minute; FULL=1: 10,000 random ones)
 	@$(PYTHON) scripts/regions.py $(if $(filter-out 0,$(FULL)),--full)
 
-speed: all ## time `certified` beside its portable engine and two libraries, family by family (4 minutes, on a quiet machine)
+speed: all ## time `certified` beside its portable engine and two libraries, family by family (10 minutes, on a quiet machine)
 	@$(PYTHON) scripts/speed
 
 comparisons: ## profiles, growth, accuracy, every two algorithms, from results/raw/
