@@ -11,6 +11,7 @@
 #include "../harness/truth/exact.h"
 #include "../harness/cases/number.h"
 #include "../harness/cases/problem.h"
+#include "../harness/judge/judge_strict.h"
 
 enum {
     DIGITS = REAL_BITS > 113  ? 700 /* finer than any radius */
@@ -29,21 +30,6 @@ static struct crossings crossings;
 struct count {
     int cases, solved, solutions, unique, end, cluster, candidate, overlaps, steps, most_steps;
 };
-
-/* a->lo - pad <= q <= a->hi + pad? */
-static bool holds(const struct interval *a, const mpq_t q, const mpq_t pad)
-{
-    mpq_t end;
-    mpq_init(end);
-    real_to_rational(a->lo, end);
-    mpq_sub(end, end, pad);
-    bool inside = mpq_cmp(end, q) <= 0;
-    real_to_rational(a->hi, end);
-    mpq_add(end, end, pad);
-    inside = inside && mpq_cmp(q, end) <= 0;
-    mpq_clear(end);
-    return inside;
-}
 
 static void fail_case(const struct test_case *c, const char *why, int i)
 {
@@ -66,8 +52,8 @@ static void make_pad(mpq_t pad)
 static bool is_in_overlap(const struct case_solution *x, const mpq_t pad)
 {
     for (int i = 0; i < crossings.overlaps; i++)
-        if (holds(&crossings.overlap[i].t_outer, x->t, pad) &&
-            holds(&crossings.overlap[i].s_outer, x->s, pad))
+        if (interval_holds(&crossings.overlap[i].t_outer, x->t, pad) &&
+            interval_holds(&crossings.overlap[i].s_outer, x->s, pad))
             return true;
     return false;
 }
@@ -82,7 +68,7 @@ static void judge_solutions(const struct test_case *c, int held[], int weight[])
         int proofs = 0, others = 0;
         for (int i = 0; i < crossings.count; i++) {
             const struct crossing *r = &crossings.at[i];
-            if (!holds(&r->t, x->t, pad) || !holds(&r->s, x->s, pad))
+            if (!interval_holds(&r->t, x->t, pad) || !interval_holds(&r->s, x->s, pad))
                 continue;
             held[i]++;
             weight[i] += x->multiplicity ? x->multiplicity : 1;
@@ -128,8 +114,8 @@ static void judge_overlaps(const struct test_case *c)
         const struct overlap *r = &crossings.overlap[i];
         mpq_t lo, hi;
         mpq_inits(lo, hi, NULL);
-        if (!holds(&r->t_outer, o->t0, none) || !holds(&r->t_outer, o->t1, none) ||
-            !holds(&r->s_outer, o->s0, none) || !holds(&r->s_outer, o->s1, none))
+        if (!interval_holds(&r->t_outer, o->t0, none) || !interval_holds(&r->t_outer, o->t1, none) ||
+            !interval_holds(&r->s_outer, o->s0, none) || !interval_holds(&r->s_outer, o->s1, none))
             fail_case(c, "an overlap is not within its record", -1);
         real_to_rational(r->t_inner.lo, lo);
         real_to_rational(r->t_inner.hi, hi);

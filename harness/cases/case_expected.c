@@ -6,6 +6,7 @@
 #include "case.h"
 #include "case_fields.h"
 #include "number.h"
+#include "../run/memory.h"
 
 enum { COUNT_MAX = 1 << 16 };
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "number.h"
+#include "../run/memory.h"
 
 bool fields_complain(const struct fields *r, const char *field, const char *format, ...)
 {
@@ -91,16 +92,6 @@ bool fields_array(const struct fields *r, const char *field, const json_t *v, in
         return fields_complain(r, field, "%zu entr%s, expected %d", json_array_size(v),
                                json_array_size(v) == 1 ? "y" : "ies", length);
     return true;
-}
-
-void *memory_new(size_t count, size_t size)
-{
-    void *p = calloc(count ? count : 1, size);
-    if (!p) {
-        fprintf(stderr, "out of memory\n");
-        exit(2);
-    }
-    return p;
 }
 
 mpq_t *rationals_new(int n)

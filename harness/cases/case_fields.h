@@ -40,7 +40,6 @@ bool fields_array(const struct fields *r, const char *field, const json_t *v, in
 /* Array of n initialised rationals; memory that cannot be had ends the program with status 2. */
 mpq_t *rationals_new(int n);
 void rationals_free(mpq_t *q, int n);
-void *memory_new(size_t count, size_t size); /* zeroed */
 
 /* The object of one curve into c, whose numbers lo and hi are initialised and all else zeroed;
  * case_curve_clear also after a failure.  name: of the field in messages. */

@@ -1,31 +1,23 @@
 /* See case_set.h. */
 #include "case_set.h"
+#include "../run/memory.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static void *need(void *memory)
-{
-    if (!memory) {
-        fprintf(stderr, "fatline: out of memory\n");
-        exit(2);
-    }
-    return memory;
-}
-
 static char *remember_file(struct case_set *set, const char *path)
 {
-    set->file = (char **)need(realloc(set->file, (set->files + 1) * sizeof *set->file));
-    return set->file[set->files++] = (char *)need(strdup(path));
+    set->file = (char **)memory_need(realloc(set->file, (set->files + 1) * sizeof *set->file));
+    return set->file[set->files++] = (char *)memory_need(strdup(path));
 }
 
 static struct loaded_case *new_case(struct case_set *set)
 {
     if (set->count == set->room) {
         set->room = set->room ? 2 * set->room : 64;
-        set->at = (struct loaded_case *)need(realloc(set->at, set->room * sizeof *set->at));
+        set->at = (struct loaded_case *)memory_need(realloc(set->at, set->room * sizeof *set->at));
     }
     return &set->at[set->count];
 }
@@ -43,7 +35,7 @@ static int add(struct case_set *set, struct test_case *read, const char *file, r
     }
     to->c = *read;
     to->file = file;
-    to->line = (char *)need(json_dumps(read->line, JSON_COMPACT));
+    to->line = (char *)memory_need(json_dumps(read->line, JSON_COMPACT));
     if (read->f.degree > set->degree_f)
         set->degree_f = read->f.degree;
     if (read->g.degree > set->degree_g)

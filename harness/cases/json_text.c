@@ -52,3 +52,13 @@ void json_text_write(FILE *stream, const json_t *v)
         free(text);
     }
 }
+
+void json_text_write_string(FILE *stream, const char *text)
+{
+    json_t *string = json_string(text);
+    char *quoted = string ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
+
+    fputs(quoted ? quoted : "null", stream);
+    free(quoted);
+    json_decref(string);
+}

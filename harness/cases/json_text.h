@@ -5,6 +5,15 @@
 #include <jansson.h>
 #include <stdio.h>
 
-void json_text_write(FILE *stream, const json_t *v); /* no line end */
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+void json_text_write(FILE *stream, const json_t *v);         /* no line end */
+void json_text_write_string(FILE *stream, const char *text); /* null where it is not UTF-8 */
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef FATLINE_NUMBER_H
 #define FATLINE_NUMBER_H
 
+#include <stdio.h>
 #include <gmp.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -37,7 +38,7 @@ void number_scale(mpq_t q, long e);
 }
 #endif
 
-/* What follows depends on the precision: harness/real_text.c, compiled for each. */
+/* What follows depends on the precision: real_text.c, compiled for each. */
 #ifdef FATLINE_REAL_H
 enum { REAL_TEXT_MAX = 640 }; /* longest text of a real */
 /* Nearest real, ties to even; infinite where the type ends. */
@@ -46,6 +47,8 @@ real real_from_rational(const mpq_t q);
 void real_to_rational(real a, mpq_t q);
 /* Double: as number_text_double; quad and multi: C hex float. Reads back bit for bit. */
 void real_text(real a, char *text, size_t size);
+/* As a value of JSON: the same text, in quotes in quad and multi; null where it is not finite. */
+void real_write(FILE *stream, real a);
 /* Reads a text of real_text, or any form of number_parse rounded to nearest; false if it is none. */
 bool real_parse(const char *text, real *a);
 #endif

@@ -5,6 +5,7 @@
 
 #include "problem.h"
 #include "number.h"
+#include "../run/memory.h"
 
 /* The nearest real; *fits becomes false if it is none, or too small for a relative error of REAL_EPSILON / 2.
  */
@@ -68,17 +69,6 @@ static size_t coefficients(const struct case_curve *c)
     return (size_t)(c->rational ? 3 : 2) * (size_t)(c->degree + 1);
 }
 
-static void *allocate(size_t bytes)
-{
-    void *memory = malloc(bytes);
-
-    if (!memory) {
-        fprintf(stderr, "fatline: out of memory (%zu bytes)\n", bytes);
-        exit(2);
-    }
-    return memory;
-}
-
 /* The first three digits of (t - lo) / (hi - lo). */
 static real first_digits(const mpq_t t, const struct case_curve *c)
 {
@@ -98,7 +88,7 @@ static void tell_roots(const struct test_case *c, struct owned_problem *p)
 {
     if (!c->expected.known || !c->expected.count)
         return;
-    p->known = (struct known *)allocate((size_t)c->expected.count * sizeof *p->known);
+    p->known = (struct known *)memory_resized(NULL, (size_t)c->expected.count * sizeof *p->known);
     for (int i = 0; i < c->expected.count; i++) {
         p->known[i].t = first_digits(c->expected.at[i].t, &c->f);
         p->known[i].s = first_digits(c->expected.at[i].s, &c->g);
@@ -119,7 +109,7 @@ const char *owned_problem_make(const struct test_case *c, real tolerance, int ma
         return "f.degree: out of range, expected 1 to 32";
     if (c->g.degree < 1 || c->g.degree > DEGREE_MAX)
         return "g.degree: out of range, expected 1 to 32";
-    p->memory = (real *)allocate((coefficients(&c->f) + coefficients(&c->g)) * sizeof(real));
+    p->memory = (real *)memory_resized(NULL, (coefficients(&c->f) + coefficients(&c->g)) * sizeof(real));
     wrong = curve_make(&c->f, p->memory, &p->problem.f);
     if (!wrong)
         wrong = curve_make(&c->g, p->memory + coefficients(&c->f), &p->problem.g);
@@ -152,7 +142,7 @@ void workspace_make(struct workspace *w, const struct intersector *const *a, int
             scratch = mn > scratch ? mn : scratch;
         }
     }
-    workspace_init(w, allocate(workspace_size(n, m, room, scratch)), n, m, room, scratch);
+    workspace_init(w, memory_resized(NULL, workspace_size(n, m, room, scratch)), n, m, room, scratch);
 }
 
 /* The block begins with the cells. */

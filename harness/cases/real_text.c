@@ -99,6 +99,19 @@ void real_text(real a, char *text, size_t size)
 
 #endif
 
+void real_write(FILE *stream, real a)
+{
+    const char *quote = REAL_BITS > 53 ? "\"" : "";
+    char text[REAL_TEXT_MAX];
+
+    if (!real_is_finite(a)) {
+        fputs("null", stream);
+        return;
+    }
+    real_text(a, text, sizeof text);
+    fprintf(stream, "%s%s%s", quote, text, quote);
+}
+
 bool real_parse(const char *text, real *a)
 {
     mpq_t q;

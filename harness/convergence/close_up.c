@@ -6,6 +6,7 @@
 
 #include "../cases/case_fields.h"
 #include "../cases/number.h"
+#include "../run/memory.h"
 
 /* b = b (1 - t) + a t for one step of de Casteljau's algorithm in place: c[i] between c[i] and c[i + 1]. */
 static void blend(mpq_t c, const mpq_t next, const mpq_t t, mpq_t scratch)

@@ -6,15 +6,12 @@
 
 #include "close_up.h"
 #include "../cases/problem.h"
+#include "../run/memory.h"
 
 void order_bench_make(struct order_bench *b, const struct intersector *const *a, int n)
 {
     workspace_make(&b->workspace, a, n, n, WORKSPACE_ROOM);
-    b->crossings = (struct crossings *)malloc(sizeof *b->crossings);
-    if (!b->crossings) {
-        fprintf(stderr, "fatline: out of memory\n");
-        exit(2);
-    }
+    b->crossings = (struct crossings *)memory_new(1, sizeof *b->crossings);
     path_init(&b->path);
 }
 

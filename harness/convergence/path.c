@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../cases/number.h"
+#include "../run/memory.h"
 
 double real_bits(real a)
 {
@@ -28,23 +29,13 @@ void path_clear(struct path *p)
     path_init(p);
 }
 
-static void *grow(void *memory, size_t size)
-{
-    void *grown = realloc(memory, size);
-    if (!grown) {
-        fprintf(stderr, "fatline: out of memory\n");
-        exit(2);
-    }
-    return grown;
-}
-
 static void add(struct path *p, double bits_t, double bits_s, bool split)
 {
     if (p->count == p->room) {
         p->room = p->room ? 2 * p->room : 64;
-        p->bits_t = (double *)grow(p->bits_t, (size_t)p->room * sizeof *p->bits_t);
-        p->bits_s = (double *)grow(p->bits_s, (size_t)p->room * sizeof *p->bits_s);
-        p->split = (bool *)grow(p->split, (size_t)p->room * sizeof *p->split);
+        p->bits_t = (double *)memory_resized(p->bits_t, (size_t)p->room * sizeof *p->bits_t);
+        p->bits_s = (double *)memory_resized(p->bits_s, (size_t)p->room * sizeof *p->bits_s);
+        p->split = (bool *)memory_resized(p->split, (size_t)p->room * sizeof *p->split);
     }
     p->bits_t[p->count] = bits_t;
     p->bits_s[p->count] = bits_s;

@@ -2,39 +2,17 @@
 #include <string.h>
 
 #include "answer.h"
+#include "../cases/json_text.h"
 #include "../cases/number.h"
 
 /* ---- writing ---- */
 
-static void write_text(FILE *stream, const char *text)
-{
-    json_t *string = json_string(text);
-    char *quoted = string ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
-
-    fputs(quoted ? quoted : "null", stream); /* null: not UTF-8 */
-    free(quoted);
-    json_decref(string);
-}
-
-static void write_real(FILE *stream, real a)
-{
-    const char *quote = REAL_BITS > 53 ? "\"" : "";
-    char text[REAL_TEXT_MAX];
-
-    if (!real_is_finite(a)) {
-        fputs("null", stream);
-        return;
-    }
-    real_text(a, text, sizeof text);
-    fprintf(stream, "%s%s%s", quote, text, quote);
-}
-
 static void write_interval(FILE *stream, const char *name, struct interval i)
 {
     fprintf(stream, "\"%s\":[", name);
-    write_real(stream, i.lo);
+    real_write(stream, i.lo);
     fputc(',', stream);
-    write_real(stream, i.hi);
+    real_write(stream, i.hi);
     fputc(']', stream);
 }
 
@@ -60,7 +38,7 @@ static void write_overlap(FILE *stream, const struct overlap *o)
     write_interval(stream, "s_inner", o->s_inner);
     fprintf(stream, ",\"reversed\":%s,\"exact\":%s,\"distance\":", o->reversed ? "true" : "false",
             o->exact ? "true" : "false");
-    write_real(stream, o->distance);
+    real_write(stream, o->distance);
     fputc('}', stream);
 }
 
@@ -74,7 +52,7 @@ static void write_more(FILE *stream, json_t *extra)
     {
         char *text = json_dumps(value, JSON_ENCODE_ANY | JSON_COMPACT);
         fputc(',', stream);
-        write_text(stream, key);
+        json_text_write_string(stream, key);
         fprintf(stream, ":%s", text ? text : "null");
         free(text);
     }
@@ -83,11 +61,11 @@ static void write_more(FILE *stream, json_t *extra)
 void answer_write(FILE *stream, const struct answer *a, json_t *extra)
 {
     fputs("{\"id\":", stream);
-    write_text(stream, a->id);
+    json_text_write_string(stream, a->id);
     fputs(",\"algorithm\":", stream);
-    write_text(stream, a->algorithm);
+    json_text_write_string(stream, a->algorithm);
     fprintf(stream, ",\"precision\":\"%s\",\"tolerance\":", REAL_NAME);
-    write_real(stream, a->tolerance);
+    real_write(stream, a->tolerance);
     fprintf(stream, ",\"outcome\":\"%s\",\"crossings\":[", outcome_name(a->outcome));
     for (int i = 0; i < a->crossings->count; i++) {
         if (i)

@@ -1,4 +1,5 @@
 #include "check_table.h"
+#include "../run/memory.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -42,15 +43,6 @@ static const char *text_of(const json_t *row, const char *field)
     return text ? text : "";
 }
 
-static void *need(void *p)
-{
-    if (!p) {
-        fprintf(stderr, "fatline: out of memory\n");
-        exit(2);
-    }
-    return p;
-}
-
 static struct table_line *line_of(struct check_table *t, const char *class_name, const char *algorithm,
                                   bool ambiguous)
 {
@@ -60,12 +52,12 @@ static struct table_line *line_of(struct check_table *t, const char *class_name,
             return &t->at[i];
     if (t->count == t->room) {
         t->room = 2 * t->room + 16;
-        t->at = (struct table_line *)need(realloc(t->at, (size_t)t->room * sizeof *t->at));
+        t->at = (struct table_line *)memory_need(realloc(t->at, (size_t)t->room * sizeof *t->at));
     }
     struct table_line *line = &t->at[t->count++];
     memset(line, 0, sizeof *line);
-    line->class_name = (char *)need(strdup(class_name));
-    line->algorithm = (char *)need(strdup(algorithm));
+    line->class_name = (char *)memory_need(strdup(class_name));
+    line->algorithm = (char *)memory_need(strdup(algorithm));
     line->ambiguous = ambiguous;
     line->max_error = -1;
     return line;

@@ -3,6 +3,7 @@
 
 #include "judge_court.h"
 #include "../cases/number.h"
+#include "../run/memory.h"
 
 const char *verdict_name(enum verdict verdict)
 {
@@ -16,14 +17,14 @@ static void read_truth(struct court *q)
 {
     const struct case_expected *e = &q->c->expected;
     q->solutions = e->count;
-    q->solution = (struct solution *)judge_memory((size_t)e->count, sizeof *q->solution);
+    q->solution = (struct solution *)memory_new((size_t)e->count, sizeof *q->solution);
     for (int i = 0; i < e->count; i++) {
         q->solution[i].t = real_from_rational(e->at[i].t);
         q->solution[i].s = real_from_rational(e->at[i].s);
         q->solution[i].multiplicity = e->at[i].multiplicity;
     }
     q->traces = e->overlaps;
-    q->trace = (struct trace *)judge_memory((size_t)e->overlaps, sizeof *q->trace);
+    q->trace = (struct trace *)memory_new((size_t)e->overlaps, sizeof *q->trace);
     for (int i = 0; i < e->overlaps; i++)
         trace_make(q->p, &e->overlap[i], &q->trace[i]);
 }

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "judge_groups.h"
+#include "../run/memory.h"
 
 bool box_contains(const struct box *b, real t, real s, real margin)
 {
@@ -11,16 +12,6 @@ bool box_contains(const struct box *b, real t, real s, real margin)
 bool box_fits(const struct box *b, real most)
 {
     return b->t.hi - b->t.lo <= most && b->s.hi - b->s.lo <= most;
-}
-
-void *judge_memory(size_t count, size_t size)
-{
-    void *p = calloc(count ? count : 1, size);
-    if (!p) {
-        fprintf(stderr, "fatline: out of memory\n");
-        exit(2);
-    }
-    return p;
 }
 
 static struct interval middle(struct interval a)
@@ -51,7 +42,7 @@ static int find(struct record *r, int i)
  * leaves. */
 static void connect(struct record *r, int count, real tol)
 {
-    int *active = (int *)judge_memory((size_t)count, sizeof *active), waiting = 0;
+    int *active = (int *)memory_new((size_t)count, sizeof *active), waiting = 0;
     for (int i = 0; i < count; i++) {
         int kept = 0;
         for (int k = 0; k < waiting; k++) {
@@ -80,8 +71,8 @@ static void include(struct group *g, const struct record *r)
 /* From parents to numbers of groups. */
 static void number(struct grouping *g)
 {
-    int *root = (int *)judge_memory((size_t)g->records, sizeof *root),
-        *name = (int *)judge_memory((size_t)g->records, sizeof *name);
+    int *root = (int *)memory_new((size_t)g->records, sizeof *root),
+        *name = (int *)memory_new((size_t)g->records, sizeof *name);
     for (int i = 0; i < g->records; i++) {
         root[i] = find(g->record, i);
         if (root[i] == i) {
@@ -102,8 +93,8 @@ void grouping_make(const struct answer *a, real tol, struct grouping *g)
     const struct crossings *from = a->crossings;
     g->records = from->count;
     g->groups = 0;
-    g->record = (struct record *)judge_memory((size_t)g->records, sizeof *g->record);
-    g->group = (struct group *)judge_memory((size_t)g->records, sizeof *g->group);
+    g->record = (struct record *)memory_new((size_t)g->records, sizeof *g->record);
+    g->group = (struct group *)memory_new((size_t)g->records, sizeof *g->group);
     for (int i = 0; i < g->records; i++) {
         struct record *r = &g->record[i];
         r->at.t = a->points_only ? middle(from->at[i].t) : from->at[i].t;

@@ -35,8 +35,6 @@ struct grouping {
 void grouping_make(const struct answer *a, real tol, struct grouping *g);
 void grouping_clear(struct grouping *g);
 
-void *judge_memory(size_t count, size_t size); /* zeroed; ends the program if there is none */
-
 bool box_contains(const struct box *b, real t, real s, real margin);
 /* No side exceeds `most`. */
 bool box_fits(const struct box *b, real most);

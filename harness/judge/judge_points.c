@@ -7,6 +7,7 @@
 
 #include "judge_groups.h"
 #include "../cases/number.h"
+#include "../run/memory.h"
 
 struct point {
     double t, s;
@@ -41,7 +42,7 @@ static double middle(const struct interval *i)
 static void read_points(struct match *m)
 {
     struct grouping g;
-    m->point = (struct point *)judge_memory((size_t)m->a->crossings->count + 1, sizeof *m->point);
+    m->point = (struct point *)memory_new((size_t)m->a->crossings->count + 1, sizeof *m->point);
     if (m->a->points_only) {
         for (int i = 0; i < m->a->crossings->count; i++, m->points++) {
             m->point[i].t = middle(&m->a->crossings->at[i].t);
@@ -61,7 +62,7 @@ static void read_solutions(struct match *m)
 {
     const struct case_expected *e = &m->c->expected;
     m->solutions = e->count;
-    m->solution = (struct point *)judge_memory((size_t)e->count + 1, sizeof *m->solution);
+    m->solution = (struct point *)memory_new((size_t)e->count + 1, sizeof *m->solution);
     for (int i = 0; i < e->count; i++) {
         m->solution[i].t = mpq_get_d(e->at[i].t);
         m->solution[i].s = mpq_get_d(e->at[i].s);
@@ -78,7 +79,7 @@ static void pair_up(struct match *m)
 {
     struct judgement *j = &m->out->found;
     struct link *links =
-        (struct link *)judge_memory((size_t)m->points * (size_t)m->solutions + 1, sizeof *links);
+        (struct link *)memory_new((size_t)m->points * (size_t)m->solutions + 1, sizeof *links);
     int count = 0;
     for (int i = 0; i < m->points; i++)
         for (int k = 0; k < m->solutions; k++) {

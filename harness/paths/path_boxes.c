@@ -1,4 +1,5 @@
 #include "path_boxes.h"
+#include "../run/memory.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -92,7 +93,7 @@ static void add(struct boxed_pairs *out, const struct path_pair *pair)
 {
     if (out->count == out->room) {
         out->room = out->room + out->room / 2 + 1024;
-        out->at = (struct path_pair *)path_memory(out->at, (size_t)out->room * sizeof *out->at);
+        out->at = (struct path_pair *)memory_resized(out->at, (size_t)out->room * sizeof *out->at);
     }
     out->at[out->count++] = *pair;
 }
@@ -101,10 +102,10 @@ void path_pairs_find(const struct path *a, const struct path *b, struct boxed_pa
 {
     enum { BLOCK = 4096 };
     const struct path *other = b ? b : a;
-    void *memory_a = path_memory(NULL, path_tree_size(a->count)),
-         *memory_b = path_memory(NULL, path_tree_size(other->count));
-    struct path_pair *block = (struct path_pair *)path_memory(NULL, BLOCK * sizeof *block);
-    struct path_walk *walk = (struct path_walk *)path_memory(NULL, sizeof *walk);
+    void *memory_a = memory_resized(NULL, path_tree_size(a->count)),
+         *memory_b = memory_resized(NULL, path_tree_size(other->count));
+    struct path_pair *block = (struct path_pair *)memory_resized(NULL, BLOCK * sizeof *block);
+    struct path_walk *walk = (struct path_walk *)memory_resized(NULL, sizeof *walk);
     struct path_tree tree_a, tree_b;
 
     memset(out, 0, sizeof *out);

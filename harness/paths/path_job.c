@@ -4,6 +4,7 @@
 
 #include "../timing/clock.h"
 #include "path_job.h"
+#include "../run/memory.h"
 
 enum { BLOCK = 8192, SINGLES = 65536 };
 
@@ -29,8 +30,8 @@ void path_job_make(struct path_job *job, const struct loaded_path *a, const stru
                      job->solver_memory);
     job->memory_a = path_aligned(path_tree_size(a->path.count));
     job->memory_b = b ? path_aligned(path_tree_size(b->path.count)) : NULL;
-    job->walk = (struct path_walk *)path_memory(NULL, sizeof *job->walk);
-    job->block = (struct path_pair *)path_memory(NULL, BLOCK * sizeof *job->block);
+    job->walk = (struct path_walk *)memory_resized(NULL, sizeof *job->walk);
+    job->block = (struct path_pair *)memory_resized(NULL, BLOCK * sizeof *job->block);
 }
 
 void path_job_clear(struct path_job *job)
@@ -59,12 +60,12 @@ static void grow(struct path_records *r)
 {
     if (r->room - r->count < PATH_RECORDS_LEAST) {
         r->room += r->room / 2 + PATH_RECORDS_LEAST;
-        r->at = (struct path_record *)path_memory(r->at, (size_t)r->room * sizeof *r->at);
+        r->at = (struct path_record *)memory_resized(r->at, (size_t)r->room * sizeof *r->at);
     }
     if (r->overlap_room - r->overlaps < PATH_OVERLAPS_LEAST) {
         r->overlap_room += r->overlap_room / 2 + PATH_OVERLAPS_LEAST;
         r->overlap =
-            (struct path_overlap *)path_memory(r->overlap, (size_t)r->overlap_room * sizeof *r->overlap);
+            (struct path_overlap *)memory_resized(r->overlap, (size_t)r->overlap_room * sizeof *r->overlap);
     }
 }
 
@@ -125,7 +126,7 @@ bool path_job_run(struct path_job *job, const volatile int *stop)
         return false;
     size_t numbers = path_join_size(job->a->path.count, count_b, job->records.count);
     if (numbers > job->numbers_room)
-        job->numbers = path_memory(job->numbers, job->numbers_room = numbers);
+        job->numbers = memory_resized(job->numbers, job->numbers_room = numbers);
     job->found = job->records.count;
     job->bytes = bytes_of(job->a) + (job->b ? bytes_of(job->b) : 0) + BLOCK * sizeof *job->block +
                  sizeof *job->walk + job->solver_bytes + (size_t)job->records.room * sizeof *job->records.at +

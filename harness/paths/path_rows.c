@@ -7,21 +7,12 @@
 #include "../cases/number.h"
 #include "../run/progress.h"
 
-static void write_real(FILE *stream, real a)
-{
-    const char *quote = REAL_BITS > 53 ? "\"" : "";
-    char text[REAL_TEXT_MAX];
-
-    real_text(a, text, sizeof text);
-    fprintf(stream, "%s%s%s", quote, text, quote);
-}
-
 static void write_ends(FILE *stream, const char *name, real lo, real hi)
 {
     fprintf(stream, ",\"%s\":[", name);
-    write_real(stream, lo);
+    real_write(stream, lo);
     fputc(',', stream);
-    write_real(stream, hi);
+    real_write(stream, hi);
     fputc(']', stream);
 }
 
@@ -56,7 +47,7 @@ static void write_record(FILE *stream, const char *head, const struct path_recor
         write_ends(stream, "t_inner", o->a_inner.lo, o->a_inner.hi);
         write_ends(stream, "s_inner", o->b_inner.lo, o->b_inner.hi);
         fprintf(stream, ",\"reversed\":%s,\"distance\":", o->reversed ? "true" : "false");
-        write_real(stream, o->distance);
+        real_write(stream, o->distance);
     } else {
         fprintf(stream, ",\"standing\":\"%s\",\"at_most\":%d", standing_name(r->standing), r->at_most);
     }

@@ -4,27 +4,11 @@
 #include <string.h>
 
 #include "path_set.h"
-
-void *path_memory(void *old, size_t bytes)
-{
-    void *memory = realloc(old, bytes ? bytes : 1);
-
-    if (!memory) {
-        fprintf(stderr, "fatline: out of memory (%zu bytes)\n", bytes);
-        exit(2);
-    }
-    return memory;
-}
+#include "../run/memory.h"
 
 void *path_aligned(size_t bytes)
 {
-    void *memory = aligned_alloc(64, bytes / 64 * 64 + 64);
-
-    if (!memory) {
-        fprintf(stderr, "fatline: out of memory (%zu bytes)\n", bytes);
-        exit(2);
-    }
-    return memory;
+    return memory_need(aligned_alloc(64, bytes / 64 * 64 + 64));
 }
 
 void path_draft_begin(struct path_draft *d, const char *id)
@@ -40,7 +24,7 @@ void path_draft_break(struct path_draft *d)
         return;
     if (d->subpaths == d->subpaths_room) {
         d->subpaths_room = 2 * d->subpaths_room + 4;
-        d->begin = (int *)path_memory(d->begin, (size_t)d->subpaths_room * sizeof *d->begin);
+        d->begin = (int *)memory_resized(d->begin, (size_t)d->subpaths_room * sizeof *d->begin);
     }
     d->begin[d->subpaths++] = d->segments;
 }
@@ -49,11 +33,12 @@ static void make_room(struct path_draft *d, size_t numbers)
 {
     if (d->segments == d->segments_room) {
         d->segments_room = d->segments_room + d->segments_room / 2 + 16;
-        d->segment = (struct curve *)path_memory(d->segment, (size_t)d->segments_room * sizeof *d->segment);
+        d->segment =
+            (struct curve *)memory_resized(d->segment, (size_t)d->segments_room * sizeof *d->segment);
     }
     if (d->coefficients + numbers > d->coefficients_room) {
         d->coefficients_room = d->coefficients_room + d->coefficients_room / 2 + 128 + numbers;
-        d->coefficient = (real *)path_memory(d->coefficient, d->coefficients_room * sizeof(real));
+        d->coefficient = (real *)memory_resized(d->coefficient, d->coefficients_room * sizeof(real));
     }
 }
 
@@ -139,7 +124,7 @@ static struct loaded_path *path_new(struct path_set *set)
 {
     if (set->count == set->room) {
         set->room = 2 * set->room + 4;
-        set->at = (struct loaded_path *)path_memory(set->at, (size_t)set->room * sizeof *set->at);
+        set->at = (struct loaded_path *)memory_resized(set->at, (size_t)set->room * sizeof *set->at);
     }
     struct loaded_path *p = &set->at[set->count++];
     memset((void *)p, 0, sizeof *p);
@@ -153,9 +138,9 @@ void path_draft_end(struct path_draft *d, struct path_set *set)
 
     p->id = d->id;
     p->coefficients = other_numbers(d);
-    p->segment = (struct curve *)path_memory(d->segment, (size_t)d->segments * sizeof *d->segment);
-    p->coefficient = (real *)path_memory(NULL, p->coefficients * sizeof(real));
-    p->plain = (unsigned char *)path_memory(NULL, (size_t)d->segments);
+    p->segment = (struct curve *)memory_resized(d->segment, (size_t)d->segments * sizeof *d->segment);
+    p->coefficient = (real *)memory_resized(NULL, p->coefficients * sizeof(real));
+    p->plain = (unsigned char *)memory_resized(NULL, (size_t)d->segments);
     p->points = (real *)path_aligned((size_t)d->segments * BATCH_NUMBERS * sizeof(real));
     p->degree = 1;
     place_segments(p, d);
@@ -164,8 +149,8 @@ void path_draft_end(struct path_draft *d, struct path_set *set)
     p->path.segment = p->segment;
     p->path.points = p->points;
     p->path.degree = p->plain;
-    p->path.next = (int *)path_memory(NULL, links);
-    p->path.before = (int *)path_memory(NULL, links);
+    p->path.next = (int *)memory_resized(NULL, links);
+    p->path.before = (int *)memory_resized(NULL, links);
     for (int k = 0; k < d->subpaths; k++)
         path_link(&p->path, d->begin[k], k + 1 < d->subpaths ? d->begin[k + 1] : d->segments);
     free(d->begin);

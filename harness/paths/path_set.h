@@ -42,9 +42,7 @@ void path_draft_clear(struct path_draft *d);
 
 void path_set_clear(struct path_set *set);
 
-/* malloc and realloc that end the program with status 2 instead of failing. */
-void *path_memory(void *old, size_t bytes);
-/* The same on an address that 64 divides, so that no vector straddles two cache lines. */
+/* Memory on an address that 64 divides, so that no vector straddles two cache lines. */
 void *path_aligned(size_t bytes);
 
 /* Appends a smooth random walk of `count` cubics in the unit square, steps of about 1/sqrt(count); the same

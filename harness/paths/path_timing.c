@@ -11,6 +11,7 @@
 #include "../timing/statistics.h"
 #include "path_boxes.h"
 #include "path_timing.h"
+#include "../run/memory.h"
 
 enum { STAGES = 5, ROUNDS_MAX = 1000 };
 
@@ -63,7 +64,7 @@ static bool beside_make(const struct path_job *job, const char *name, struct bes
         return false;
     }
     workspace_make(&b->workspace, used, degree, degree, WORKSPACE_ROOM);
-    b->crossings = (struct crossings *)path_memory(NULL, sizeof *b->crossings);
+    b->crossings = (struct crossings *)memory_resized(NULL, sizeof *b->crossings);
     path_pairs_find(&job->a->path, job->b ? &job->b->path : NULL, &b->pairs);
     return true;
 }
@@ -181,7 +182,7 @@ static json_t *row_of(const struct path_job *job, const struct samples *s)
 bool path_timing_write(FILE *stream, struct path_job *job, const struct path_options *o,
                        const volatile int *stop)
 {
-    struct samples *s = (struct samples *)path_memory(NULL, sizeof *s);
+    struct samples *s = (struct samples *)memory_resized(NULL, sizeof *s);
     struct beside b;
     bool good = !o->beside || beside_make(job, o->beside, &b);
 

@@ -4,35 +4,15 @@
 
 #include <jansson.h>
 
+#include "../cases/json_text.h"
 #include "../cases/number.h"
-
-static void write_text(FILE *stream, const char *text)
-{
-    json_t *string = json_string(text);
-    char *quoted = string ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
-    fputs(quoted ? quoted : "null", stream); /* null: not UTF-8 */
-    free(quoted);
-    json_decref(string);
-}
-
-static void write_real(FILE *stream, real a)
-{
-    const char *quote = REAL_BITS > 53 ? "\"" : "";
-    char text[REAL_TEXT_MAX];
-    if (!real_is_finite(a)) {
-        fputs("null", stream);
-        return;
-    }
-    real_text(a, text, sizeof text);
-    fprintf(stream, "%s%s%s", quote, text, quote);
-}
 
 static void write_point(FILE *stream, struct point p)
 {
     fputc('[', stream);
-    write_real(stream, p.x);
+    real_write(stream, p.x);
     fputc(',', stream);
-    write_real(stream, p.y);
+    real_write(stream, p.y);
     fputc(']', stream);
 }
 
@@ -50,15 +30,15 @@ static void write_edge(FILE *stream, const struct region_edge *e)
     bool arc = e->type == EDGE_ARC;
     fprintf(stream, "{\"type\":\"%s\",\"span\":%d,\"%s\":", edge_type_name(e->type), e->span,
             arc ? "t0" : "t");
-    write_real(stream, e->t);
+    real_write(stream, e->t);
     if (arc) {
         fputs(",\"t1\":", stream);
-        write_real(stream, e->t1);
+        real_write(stream, e->t1);
     } else {
         fputs(",\"line\":[", stream);
         for (int i = 0; i < 3; i++) {
             fputs(i ? "," : "", stream);
-            write_real(stream, e->line[i]);
+            real_write(stream, e->line[i]);
         }
         fputc(']', stream);
     }
@@ -89,7 +69,7 @@ static void write_measures(FILE *stream, const struct region *r)
 {
     fputs(",\"area\":", stream);
     if (r->kind == REGION_BOUNDED)
-        write_real(stream, r->area);
+        real_write(stream, r->area);
     else
         fputs("null", stream);
     fputs(",\"disc\":", stream);
@@ -100,7 +80,7 @@ static void write_measures(FILE *stream, const struct region *r)
     fputs("{\"centre\":", stream);
     write_point(stream, r->disc_centre);
     fputs(",\"radius\":", stream);
-    write_real(stream, r->disc_radius);
+    real_write(stream, r->disc_radius);
     fputc('}', stream);
 }
 
@@ -138,7 +118,7 @@ static void write_breaks(FILE *stream, const struct region_breaks *b)
         const struct region_break *at = &b->at[i];
         bool last = i + 1 == b->count || b->at[i + 1].span != at->span;
         fprintf(stream, "%s{\"span\":%d,\"t\":", i ? "," : "", at->span);
-        write_real(stream, at->t);
+        real_write(stream, at->t);
         fputs(",\"why\":\"", stream);
         write_why(stream, at->reasons);
         fputc('"', stream);
@@ -160,7 +140,7 @@ static void write_at(FILE *stream, const struct region_answer *a)
     write_point(stream, a->at);
     fprintf(stream, ",\"side\":\"%s\",\"distance\":", sides[a->side]);
     if (a->region->count > 0)
-        write_real(stream, a->distance);
+        real_write(stream, a->distance);
     else
         fputs("null", stream);
     fputs(",\"nearest\":", stream);
@@ -172,7 +152,7 @@ void region_answer_write(FILE *stream, const struct region_answer *a)
 {
     const struct region *r = a->region;
     fputs("{\"id\":", stream);
-    write_text(stream, a->id);
+    json_text_write_string(stream, a->id);
     fprintf(stream, ",\"method\":\"%s\",\"precision\":\"%s\",\"outcome\":\"%s\"", a->method->name, REAL_NAME,
             outcome_name(a->outcome));
     fprintf(stream, ",\"kind\":\"%s\",\"closed_kind\":\"%s\",\"strict\":%s,\"sign\":%d",

@@ -5,6 +5,7 @@
 
 #include "../../algorithms/bezier.h"
 #include "../cases/case_fields.h"
+#include "../run/memory.h"
 
 enum { POINTS_MAX = 4096 };
 

@@ -5,16 +5,7 @@
 #include <string.h>
 
 #include "../cases/number.h"
-
-static void *allocate(size_t bytes)
-{
-    void *memory = malloc(bytes);
-    if (!memory) {
-        fprintf(stderr, "fatline: out of memory (%zu bytes)\n", bytes);
-        exit(2);
-    }
-    return memory;
-}
+#include "../run/memory.h"
 
 static real *fill(const mpq_t *from, int n, real *to)
 {
@@ -41,7 +32,7 @@ const char *owned_region_make(const struct region_case *c, int free_point, real 
     const char *field;
     size_t n = (size_t)c->count;
     memset((void *)p, 0, sizeof *p);
-    p->memory = (real *)allocate((5 * n + (size_t)c->degree + 1) * sizeof(real));
+    p->memory = (real *)memory_resized(NULL, (5 * n + (size_t)c->degree + 1) * sizeof(real));
     real *x = p->memory, *y = fill(c->x, c->count, x), *w = fill(c->y, c->count, y);
     real *knots = fill(c->w, c->count, w), *share = fill(c->knots, c->count + c->degree + 1, knots);
     f->degree = c->degree;
@@ -81,7 +72,7 @@ void owned_workspace_fit(struct owned_workspace *w, const struct region_problem 
         spans = spans > w->workspace.spans ? spans : w->workspace.spans;
         free(w->memory);
     }
-    w->memory = allocate(region_workspace_size(degree, spans));
+    w->memory = memory_resized(NULL, region_workspace_size(degree, spans));
     region_workspace_init(&w->workspace, w->memory, degree, spans);
 }
 

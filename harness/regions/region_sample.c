@@ -1,4 +1,5 @@
 #include "region_sample.h"
+#include "../run/memory.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,16 +12,6 @@ struct doubles {
     int degree, count, sign;
     double *knots, (*column)[COLUMNS];
 };
-
-static void *allocate(size_t bytes)
-{
-    void *memory = malloc(bytes ? bytes : 1);
-    if (!memory) {
-        fprintf(stderr, "fatline: out of memory (%zu bytes)\n", bytes);
-        exit(2);
-    }
-    return memory;
-}
 
 static void find_frame(struct region_sample *s, const struct control_family *f)
 {
@@ -47,8 +38,8 @@ static void doubles_make(struct doubles *d, const struct region_sample *s, const
     d->degree = f->degree;
     d->count = f->count;
     d->sign = p->sign;
-    d->knots = (double *)allocate((size_t)(f->count + f->degree + 1) * sizeof *d->knots);
-    d->column = (double(*)[COLUMNS])allocate((size_t)f->count * sizeof *d->column);
+    d->knots = (double *)memory_resized(NULL, (size_t)(f->count + f->degree + 1) * sizeof *d->knots);
+    d->column = (double(*)[COLUMNS])memory_resized(NULL, (size_t)f->count * sizeof *d->column);
     for (int i = 0; i <= f->count + f->degree; i++)
         d->knots[i] = real_to_double(f->knots[i]);
     for (int j = 0; j < f->count; j++) {
@@ -152,8 +143,8 @@ static void find_corners(struct region_sample *s)
                                      {SAMPLE_BOX, -SAMPLE_BOX},
                                      {SAMPLE_BOX, SAMPLE_BOX},
                                      {-SAMPLE_BOX, SAMPLE_BOX}};
-    double(*now)[2] = (double(*)[2])allocate(((size_t)s->count + 8) * sizeof *now);
-    double(*next)[2] = (double(*)[2])allocate(((size_t)s->count + 8) * sizeof *next);
+    double(*now)[2] = (double(*)[2])memory_resized(NULL, ((size_t)s->count + 8) * sizeof *now);
+    double(*next)[2] = (double(*)[2])memory_resized(NULL, ((size_t)s->count + 8) * sizeof *next);
     int n = 4, step = 1;
     for (int i = 0; i < 4; i++) {
         now[i][0] = box[i][0];
@@ -183,8 +174,8 @@ void region_sample_make(struct region_sample *s, const struct region_problem *p,
     find_frame(s, f);
     doubles_make(&d, s, p);
     s->count = 0;
-    s->plane = (struct sampled_plane *)allocate((size_t)(f->count - f->degree) * (size_t)per_span *
-                                                sizeof *s->plane);
+    s->plane = (struct sampled_plane *)memory_resized(NULL, (size_t)(f->count - f->degree) *
+                                                                (size_t)per_span * sizeof *s->plane);
     for (int k = f->degree; k < f->count; k++) {
         double a = fmax(d.knots[k], lo), b = fmin(d.knots[k + 1], hi);
         for (int i = 0; i < per_span && a < b; i++) {

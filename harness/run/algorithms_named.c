@@ -1,18 +1,10 @@
 #include "algorithms_named.h"
+#include "memory.h"
 
 #include <fnmatch.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void *need(void *memory)
-{
-    if (!memory) {
-        fprintf(stderr, "out of memory\n");
-        exit(2);
-    }
-    return memory;
-}
 
 static void add(struct algorithms_named *a, const struct intersector *algorithm)
 {
@@ -20,7 +12,7 @@ static void add(struct algorithms_named *a, const struct intersector *algorithm)
         if (a->at[i] == algorithm)
             return;
     size_t size = (size_t)(a->count + 2) * sizeof *a->at;
-    a->at = (const struct intersector **)need(realloc(a->at, size));
+    a->at = (const struct intersector **)memory_need(realloc(a->at, size));
     a->at[a->count++] = algorithm;
     a->at[a->count] = NULL;
 }
@@ -32,7 +24,7 @@ static const char *complain(struct algorithms_named *a, const char *name)
     for (int i = 0; intersectors[i]; i++)
         size += strlen(intersectors[i]->name) + 2;
     free(a->error);
-    a->error = (char *)need(malloc(size));
+    a->error = (char *)memory_need(malloc(size));
     n = (size_t)snprintf(a->error, size, "no algorithm %s at precision %s; there are", name, REAL_NAME);
     for (int i = 0; intersectors[i]; i++)
         n += (size_t)snprintf(a->error + n, size - n, "%s %s", i ? "," : "", intersectors[i]->name);
@@ -60,7 +52,7 @@ static const char *add_part(struct algorithms_named *a, const char *part)
 
 const char *algorithms_named_add(struct algorithms_named *a, const char *list)
 {
-    char *copy = (char *)need(strdup(list)), *rest = copy, *part;
+    char *copy = (char *)memory_need(strdup(list)), *rest = copy, *part;
     const char *error = NULL;
     while (!error && (part = strsep(&rest, ",")) != NULL)
         error = add_part(a, part);

@@ -6,17 +6,9 @@
 #include <string.h>
 
 #include "../../algorithms/crossings.h"
+#include "../run/memory.h"
 
 enum { LINE = 64 }; /* bytes of a cache line */
-
-static void *need(void *memory)
-{
-    if (!memory) {
-        fprintf(stderr, "fatline: out of memory\n");
-        exit(2);
-    }
-    return memory;
-}
 
 static bool is_taken(const struct curve *c)
 {
@@ -35,8 +27,9 @@ static void add_curve(struct batch_set *b, int i, const struct curve *c)
 static void make_room(struct batch_set *b, int records, int overlaps)
 {
     struct batch_answer *a = &b->answer;
-    a->record = (struct batch_record *)need(realloc(a->record, (size_t)records * sizeof *a->record));
-    a->overlap = (struct batch_overlap *)need(realloc(a->overlap, (size_t)overlaps * sizeof *a->overlap));
+    a->record = (struct batch_record *)memory_need(realloc(a->record, (size_t)records * sizeof *a->record));
+    a->overlap =
+        (struct batch_overlap *)memory_need(realloc(a->overlap, (size_t)overlaps * sizeof *a->overlap));
     a->record_room = records;
     a->overlap_room = overlaps;
 }
@@ -45,13 +38,13 @@ static void make_room(struct batch_set *b, int records, int overlaps)
 static void make_tables(struct batch_set *b)
 {
     size_t numbers = (size_t)b->count * 2 * BATCH_NUMBERS;
-    b->memory = need(calloc(numbers * sizeof(real) + LINE, 1));
+    b->memory = memory_need(calloc(numbers * sizeof(real) + LINE, 1));
     b->points = (real *)(void *)(((uintptr_t)b->memory + LINE - 1) / LINE * LINE);
-    b->degree = (unsigned char *)need(calloc((size_t)b->count * 2 + 1, 1));
-    b->place = (int *)need(calloc((size_t)b->count + 1, sizeof *b->place));
-    b->first = (int *)need(calloc((size_t)b->count + 2, sizeof *b->first));
-    b->workspace = need(aligned_alloc(LINE, (batch_workspace_size() + LINE - 1) / LINE * LINE));
-    b->answer.outcome = (unsigned char *)need(calloc((size_t)b->count + 1, 1));
+    b->degree = (unsigned char *)memory_need(calloc((size_t)b->count * 2 + 1, 1));
+    b->place = (int *)memory_need(calloc((size_t)b->count + 1, sizeof *b->place));
+    b->first = (int *)memory_need(calloc((size_t)b->count + 2, sizeof *b->first));
+    b->workspace = memory_need(aligned_alloc(LINE, (batch_workspace_size() + LINE - 1) / LINE * LINE));
+    b->answer.outcome = (unsigned char *)memory_need(calloc((size_t)b->count + 1, 1));
 }
 
 void batch_set_make(struct batch_set *b, int count, const struct loaded_case *const *at, const int *index,
@@ -88,7 +81,7 @@ void batch_set_solve(struct batch_set *b)
     struct batch_answer *a = &b->answer;
     while (batch_solve(&b->batch, 0, b->workspace, a) == OUT_OF_ROOM)
         make_room(b, 2 * a->record_room, 2 * a->overlap_room);
-    b->order = (int *)need(realloc(b->order, ((size_t)a->records + 1) * sizeof *b->order));
+    b->order = (int *)memory_need(realloc(b->order, ((size_t)a->records + 1) * sizeof *b->order));
     memset(b->first, 0, ((size_t)b->batch.pairs + 2) * sizeof *b->first);
     for (int i = 0; i < a->records; i++)
         b->first[a->record[i].pair + 1]++;

@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include "../cases/random.h"
+#include "../run/memory.h"
 
 double clock_now(bool wall)
 {
@@ -70,17 +71,6 @@ static void shuffle(int n, int *order, struct random_state *random)
     }
 }
 
-static void *allocate(int n, size_t size)
-{
-    void *memory = calloc(n > 0 ? n : 1, size);
-
-    if (!memory) {
-        fprintf(stderr, "fatline: out of memory\n");
-        exit(2);
-    }
-    return memory;
-}
-
 void clock_interleave(int n, const struct clock_task *task, const struct clock_plan *plan,
                       struct clock_samples *samples)
 {
@@ -88,14 +78,14 @@ void clock_interleave(int n, const struct clock_task *task, const struct clock_p
     double enough[2] = {fmax(plan->sample_ns, (double)CLOCK_TICKS * clock_tick(false)),
                         fmax(plan->sample_ns, (double)CLOCK_TICKS * clock_tick(true))};
     double start = clock_now(true);
-    int *order = (int *)allocate(n, sizeof *order), least = plan->rounds;
+    int *order = (int *)memory_new(n, sizeof *order), least = plan->rounds;
 
     if (least > CLOCK_ROUNDS_LEAST)
         least = CLOCK_ROUNDS_LEAST;
     for (int i = 0; i < n; i++) {
         samples[i].count = 0;
         samples[i].passes = calibrate(&task[i], enough[task[i].wall]);
-        samples[i].ns = (double *)allocate(plan->rounds, sizeof *samples[i].ns);
+        samples[i].ns = (double *)memory_new(plan->rounds, sizeof *samples[i].ns);
         order[i] = i;
     }
     for (int r = 0; r < plan->rounds; r++) {

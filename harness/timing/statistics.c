@@ -7,17 +7,7 @@
 #include <string.h>
 
 #include "../cases/random.h"
-
-static void *allocate(int n, size_t size)
-{
-    void *memory = calloc(n > 0 ? n : 1, size);
-
-    if (!memory) {
-        fprintf(stderr, "fatline: out of memory\n");
-        exit(2);
-    }
-    return memory;
-}
+#include "../run/memory.h"
 
 static int compare(const void *a, const void *b)
 {
@@ -28,7 +18,7 @@ static int compare(const void *a, const void *b)
 
 static double *sorted_copy(int n, const double *x)
 {
-    double *copy = allocate(n, sizeof *copy);
+    double *copy = memory_new(n, sizeof *copy);
 
     memcpy(copy, x, n * sizeof *copy);
     qsort(copy, n, sizeof *copy, compare);
@@ -80,7 +70,7 @@ struct outliers statistics_outliers(int n, const double *x)
 
 double statistics_mad(int n, const double *x)
 {
-    double median = statistics_median(n, x), *away = allocate(n, sizeof *away), mad;
+    double median = statistics_median(n, x), *away = memory_new(n, sizeof *away), mad;
 
     for (int i = 0; i < n; i++)
         away[i] = fabs(x[i] - median);
@@ -111,8 +101,8 @@ struct range statistics_bootstrap_median(int n, const double *x, double level, u
 {
     enum { LAST = STATISTICS_RESAMPLES - 1 };
     struct random_state random = random_for(seed, "bootstrap", (uint64_t)n);
-    double *sorted = sorted_copy(n, x), *medians = allocate(STATISTICS_RESAMPLES, sizeof *medians);
-    int *drawn = allocate(n, sizeof *drawn);
+    double *sorted = sorted_copy(n, x), *medians = memory_new(STATISTICS_RESAMPLES, sizeof *medians);
+    int *drawn = memory_new(n, sizeof *drawn);
     struct range range;
 
     for (int k = 0; k <= LAST; k++)

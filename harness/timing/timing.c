@@ -8,6 +8,7 @@
 
 #include "../judge/judge_points.h"
 #include "timing_work.h"
+#include "../run/memory.h"
 
 enum {
     EACH_PASSES = 5,
@@ -26,17 +27,6 @@ struct results {
     double *ns;            /* likewise: how long that one solve took */
     bool *in;              /* [contender]: to be timed */
 };
-
-static void *allocate(size_t n, size_t size)
-{
-    void *memory = calloc(n > 0 ? n : 1, size);
-
-    if (!memory) {
-        fprintf(stderr, "fatline: out of memory\n");
-        exit(2);
-    }
-    return memory;
-}
 
 static enum result rate(const struct loaded_case *pair, const struct answer *a,
                         const struct timing_plan *plan)
@@ -197,7 +187,7 @@ static double mean_roots(const struct work *w, int pairs)
 
 static void find_slowest(struct work *w, const struct clock_task *task, struct timing *t)
 {
-    double *ns = (double *)allocate(task->items, sizeof *ns);
+    double *ns = (double *)memory_new(task->items, sizeof *ns);
     int worst = 0;
 
     clock_each(task, EACH_PASSES, ns);
@@ -213,9 +203,9 @@ static void find_slowest(struct work *w, const struct clock_task *task, struct t
 static void measure(struct work *work, const struct results *r, const struct timing_plan *plan, int pairs,
                     struct timing *timing)
 {
-    struct clock_task *task = (struct clock_task *)allocate(r->contenders, sizeof *task);
-    struct clock_samples *samples = (struct clock_samples *)allocate(r->contenders, sizeof *samples);
-    int *who = (int *)allocate(r->contenders, sizeof *who), n = 0;
+    struct clock_task *task = (struct clock_task *)memory_new(r->contenders, sizeof *task);
+    struct clock_samples *samples = (struct clock_samples *)memory_new(r->contenders, sizeof *samples);
+    int *who = (int *)memory_new(r->contenders, sizeof *who), n = 0;
 
     for (int k = 0; k < r->contenders; k++) {
         if (!r->in[k])
@@ -261,17 +251,17 @@ int timing_run(int count, const struct loaded_case *const *at, int n, const stru
                const struct timing_plan *plan, struct timing_memory *memory, struct timing *timing,
                int *left_out, int **shared)
 {
-    struct work *work = (struct work *)allocate(n, sizeof *work);
-    int *common = (int *)allocate(count, sizeof *common), pairs, all;
+    struct work *work = (struct work *)memory_new(n, sizeof *work);
+    int *common = (int *)memory_new(count, sizeof *common), pairs, all;
     struct results r;
 
     memset((void *)timing, 0, n * sizeof *timing);
-    r.index = (int *)allocate(count, sizeof *r.index);
+    r.index = (int *)memory_new(count, sizeof *r.index);
     r.pairs = judgeable(count, at, plan->unchecked, r.index);
     r.contenders = n;
-    r.result = (unsigned char *)allocate((size_t)n * r.pairs, 1);
-    r.ns = (double *)allocate((size_t)n * r.pairs, sizeof *r.ns);
-    r.in = (bool *)allocate(n, sizeof *r.in);
+    r.result = (unsigned char *)memory_new((size_t)n * r.pairs, 1);
+    r.ns = (double *)memory_new((size_t)n * r.pairs, sizeof *r.ns);
+    r.in = (bool *)memory_new(n, sizeof *r.in);
     *left_out = count - r.pairs;
     for (int k = 0; k < n; k++) {
         work[k].contender = &contender[k];
@@ -284,7 +274,7 @@ int timing_run(int count, const struct loaded_case *const *at, int n, const stru
     }
     judge_all(work, plan, &r, timing);
     all = choose(&r, work, plan, timing, common);
-    *shared = (int *)allocate(all, sizeof **shared);
+    *shared = (int *)memory_new(all, sizeof **shared);
     for (int i = 0; i < all; i++)
         (*shared)[i] = r.index[common[i]];
     pairs = thin(&r, plan, all, common);

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "../cases/case_fields.h"
+#include "../run/memory.h"
 
 /* ---- the child ---- */
 

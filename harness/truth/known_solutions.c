@@ -8,6 +8,7 @@
 #include "../convergence/close_up.h"
 #include "exact.h"
 #include "../cases/number.h"
+#include "../run/memory.h"
 
 static void to_local(const struct case_curve *c, const mpq_t t, mpq_t out)
 {

@@ -12,6 +12,7 @@
 #include "../cases/case_fields.h"
 #include "referee_pair.h"
 #include "referee_truth.h"
+#include "../run/memory.h"
 
 enum {
     HALVINGS_MAX = 96,            /* of one curve */

@@ -7,6 +7,7 @@
 #include "../cases/case_fields.h"
 #include "../cases/number.h"
 #include "referee_place.h"
+#include "../run/memory.h"
 
 /* sin: of the angle of the tangents.  cond: the largest row norm of the inverse of (f', -g'), with respect to
  * the parameters of the domains, times the pair's largest |coordinate|: what a relative change of the
