@@ -1,10 +1,10 @@
-/* The certified algorithm held to its word on families that are hard for it, and the judge who holds it: a
- * record that is tampered with is caught. */
-#include "generated.h"
+/* The certified algorithm held to its word on families that are hard for it,
+ * and the judge who holds it: a record that is tampered with is caught. */
 #include "../harness/cases/number.h"
 #include "../harness/cases/problem.h"
 #include "../harness/judge/judge_strict.h"
 #include "../harness/truth/exact.h"
+#include "generated.h"
 
 enum { DIGITS = REAL_BITS > 113 ? 700 : 80 };
 
@@ -52,7 +52,8 @@ static void tamper(const struct test_case *c, struct count *n)
     }
 }
 
-/* A solution's record is gone; a solution's proof, END too, is there twice.  Is it noticed? */
+/* A solution's record is gone; a solution's proof, END too, is there twice.  Is
+ * it noticed? */
 static void tamper_solution(const struct test_case *c, struct count *n)
 {
     static struct crossings copy;
@@ -146,11 +147,11 @@ static struct count try_family(const char *family, const char *degrees, int coun
     snprintf(options, sizeof options, "--degree %s --seed 17 --count %d", degrees,
              (count + share - 1) / share);
     generated_each(family, options, try_case, &n);
-    print_message(
-        "%-15s %-6s %3d cases, %3d solved: %3d UNIQUE, %3d END, %3d CLUSTER, %d CANDIDATE, %d overlaps; "
-        "at most %d records, %d steps\n",
-        family, degrees, n.cases, n.solved, n.unique, n.end, n.cluster, n.candidate, n.overlaps,
-        n.most_records, n.most_steps);
+    print_message("%-15s %-6s %3d cases, %3d solved: %3d UNIQUE, %3d END, %3d "
+                  "CLUSTER, %d CANDIDATE, %d overlaps; "
+                  "at most %d records, %d steps\n",
+                  family, degrees, n.cases, n.solved, n.unique, n.end, n.cluster, n.candidate, n.overlaps,
+                  n.most_records, n.most_steps);
     assert_int_equal(n.caught, n.tampered);
     return n;
 }
@@ -178,7 +179,8 @@ static void test_hard(void **state)
     assert_true(n.solved == n.cases && n.cluster == n.cases);
 }
 
-/* A curve that is a point is on the other or not; an arc is one overlap, whatever else there is. */
+/* A curve that is a point is on the other or not; an arc is one overlap,
+ * whatever else there is. */
 static void test_arcs(void **state)
 {
     (void)state;
@@ -188,8 +190,8 @@ static void test_arcs(void **state)
     assert_true(n.solved == n.cases && n.overlaps == n.cases && !n.candidate && !n.cluster);
 }
 
-/* Pairs that were answered wrongly once: a record rounded inwards, one zero told twice, a root wider than
- * asked because another was being looked at. */
+/* Pairs that were answered wrongly once: a record rounded inwards, one zero
+ * told twice, a root wider than asked because another was being looked at. */
 static void test_once_wrong(void **state)
 {
     (void)state;
@@ -238,8 +240,9 @@ static void try_everywhere(struct test_case *c, void *context)
     }
 }
 
-/* A solution in no record, because what a closer look left open was forgotten, or because another record
- * within an END was taken for another zero; and one zero in two records that are proofs. */
+/* A solution in no record, because what a closer look left open was forgotten,
+ * or because another record within an END was taken for another zero; and one
+ * zero in two records that are proofs. */
 static const struct {
     const char *f, *g;
 } once_lost[] = {
@@ -248,9 +251,11 @@ static const struct {
     {"['0x1p-27',0],['0x1p-9',0],['-0x1p-27',0],['0x1p-99',0]", "[0,-1],[0,-1],['0x1p-52',0],[1,0],[0,0]"},
     {"[0,'0x1p-99'],[1,'-0x1p-60']",
      "['0x1p-26',0],['0x1p-27',0],['-0x1p-26',0],['0x1p-10',0],[0,'-0x1p-52']"},
-    {"[0,'0x1p-500'],['0x1p-100',0],[0,'0x1p-26'],['0x1p-59',0],['0x1p-52','-0x1p-500']",
+    {"[0,'0x1p-500'],['0x1p-100',0],[0,'0x1p-26'],['0x1p-59',0],['0x1p-52','-"
+     "0x1p-500']",
      "[0,'0x1p-53'],[0,'0x1p-500']"},
     {"['0x1p-100','0x1p-9'],[2,'0x1p-10'],['0x1p-52','-0x1p-60']", "[0,0],[0,'-0x1p-100'],[2,'0x1p-10']"},
+    {"['-0x1p-53','0x1p-53'],[1,'0x1p-52']", "[0,0],[0,0],[1,'0x1p-60'],[-1,'0x1p-26'],[1,'-0x1p-500']"},
 };
 
 static void test_once_lost(void **state)
@@ -279,6 +284,8 @@ static void test_sizes(void **state)
                                try_everywhere, NULL);
     print_message("sizes: %d cases\n", cases);
     generated_each("sizes", "--degree 1x4 --seed 1 --first 220", try_everywhere, NULL); /* once lost */
+    generated_each("sizes", "--degree 3 --seed 1 --first 582", try_everywhere, NULL);
+    generated_each("sizes", "--degree 2x4 --seed 1 --first 442", try_everywhere, NULL);
 }
 
 int main(int argc, char **argv)
