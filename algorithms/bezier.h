@@ -97,6 +97,8 @@ struct crossings {
 /* SOLVED: every record is as narrow as asked and the precision allows (struct bounds), or carries its own
  * proof.
  * OUT_OF_STEPS, OUT_OF_ROOM: stopped early; what is undecided is among the records, wider than asked.
+ * OUT_OF_STEPS also, with steps left: rounding hides what certified would have to see for a narrower
+ * CANDIDATE.
  * UNSUPPORTED: this algorithm does not take this problem (in this precision); no records.
  * INVALID: the problem is not one (degree, weights that are not positive or differ by more than 2^256,
  * tolerance, a value that is not finite); no records.

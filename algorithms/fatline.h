@@ -47,6 +47,7 @@ enum { FATLINE_DEGREE_MAX = 32, FATLINE_CROSSINGS_MAX = 2048, FATLINE_OVERLAPS_M
 /* SOLVED: every record is as narrow as asked and the precision allows, or carries its own proof.
  * OUT_OF_STEPS, OUT_OF_ROOM: stopped early.  Every solution still lies in some record; what is undecided is
  * among the records, wider than asked.  (Of a region: there is no answer.)
+ * OUT_OF_STEPS also, with steps left: rounding hides what would have to be seen for a narrower record.
  * UNSUPPORTED: of regions only, see there.
  * INVALID: the input is not a problem; there are no records. */
 enum fatline_outcome {

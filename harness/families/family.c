@@ -45,6 +45,8 @@ const struct family families[] = {
      8, 0},
     {"point_curve", "all control points of one curve are equal: on the other curve, or anywhere",
      family_point_curve, 1, 1, 12, 0},
+    {"sizes", "coordinates of very different sizes: 0, 1, 2^-10, 2^-26, ..., 2^-500", family_sizes, 1, 1, 8,
+     0},
     {NULL}};
 
 const char *family_refuses(const struct family *a, int n, int m, bool weights, char why[160])

@@ -96,5 +96,6 @@ FAMILY(scaled);
 FAMILY(overlap_beside);
 FAMILY(near_overlap);
 FAMILY(point_curve);
+FAMILY(sizes);
 
 #endif

@@ -97,6 +97,30 @@ bool family_scaled(struct draft *d, struct request *r)
     return true;
 }
 
+/* 0, or +-2^-e or twice that: sums of such numbers round away all but the largest, and a curve is straight,
+ * or turns, in a part of it that is as short as the parameter's last digits. */
+static void random_size(fmpq_t a, struct request *r)
+{
+    static const int shorter[] = {0, 0, 0, 10, 26, 27, 52, 53, 60, 100, 500};
+    enum { SIZES = sizeof shorter / sizeof *shorter };
+    int sign = (int)random_between(&r->random, 0, 5); /* 0 in two of six */
+    fmpq_set_si(a, sign < 2 ? 0 : sign == 2 ? -1 : sign == 3 ? 2 : 1, 1);
+    int e = shorter[random_between(&r->random, 0, SIZES - 1)];
+    fmpq_div_2exp(a, a, (flint_bitcnt_t)e);
+}
+
+bool family_sizes(struct draft *d, struct request *r)
+{
+    struct points *p[2] = {&d->f, &d->g};
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i <= p[k]->degree; i++) {
+            random_size(p[k]->x[i], r);
+            random_size(p[k]->y[i], r);
+        }
+    }
+    return true;
+}
+
 bool family_point_curve(struct draft *d, struct request *r)
 {
     struct points *point = r->index & 1 ? &d->g : &d->f, *other = r->index & 1 ? &d->f : &d->g;

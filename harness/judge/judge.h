@@ -2,8 +2,9 @@
  *
  * Let tol = case_tolerance(case, asked).  Records that touch after widening by tol form a group.  A solution
  * is found if a group, widened by tol, contains it and no side of the group exceeds 4 tol; a larger group is
- * `merged`.  A CLUSTER is right only if also at_most lies between the sum of the multiplicities it holds and
- * that sum plus 1; else what it holds is missed.  A group without a solution is `extra` if it holds a UNIQUE
+ * `merged`.  A CLUSTER whose at_most is less than the sum of the multiplicities it holds is not right: what it
+ * holds is missed.  at_most is an upper bound: where it exceeds that sum by more than 1, the group counts as
+ * undecided beside.  A group without a solution is `extra` if it holds a UNIQUE
  * or a CLUSTER of more than 1, or if the curves are farther apart over it than tol times size (the largest
  * extent of the pair's control points), proved; else `undecided`.  A second UNIQUE at one simple solution is
  * a `duplicate`.

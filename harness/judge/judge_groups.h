@@ -19,6 +19,7 @@ struct group {
     int holds;     /* solutions within tol of `at` */
     int weight;    /* sum of their multiplicities, unknown ones as WEIGHT_UNKNOWN */
     bool refuted;  /* a CLUSTER of it is not right */
+    bool loose;    /* a CLUSTER of it bounds what it holds, but by far more than there is */
     bool overlaps; /* meets an expected overlap */
 };
 

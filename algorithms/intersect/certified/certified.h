@@ -198,6 +198,8 @@ void solved_add(struct solver *z, const struct interval *t, const struct interva
  * memory, or it would not be narrower by the factor `shorter` in one of the parameters.  otherwise: a record
  * that holds all solutions of the region, if what is found there takes too long. */
 bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const struct crossing *otherwise);
+/* The next level, over t and s of the problem and some more; no pair.  False if it would tell nothing. */
+bool level_around(struct solver *z, const struct interval *t, const struct interval *s);
 /* Pairs of the last level took too many steps: they and what they found give way to the record `otherwise`.
  */
 void level_give_up(struct solver *z);

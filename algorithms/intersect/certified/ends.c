@@ -250,25 +250,49 @@ static bool is_part(const struct crossing *b, const struct crossing *a)
            within(&b->s, &a->s);
 }
 
-/* Is there at most one zero of the extended pair in a rectangle that holds both? */
-static bool holds_one(struct solver *z, const struct crossing *a, const struct crossing *b)
+/* Is there at most one zero of a level's extended pair in some rectangle that holds t and s?  Tried from 1/16
+ * on downwards, each parameter by itself, as far as half as much again as the two are wide: next to the
+ * rectangle there may be a cusp, or an end where points are doubled. */
+static bool at_most_one(struct solver *z, int level, const struct interval *t, const struct interval *s)
 {
-    enum { TRIES = 8, SMALLER = 16 };
-    real t0 = real_min(a->t.lo, b->t.lo), t1 = real_max(a->t.hi, b->t.hi);
-    real s0 = real_min(a->s.lo, b->s.lo), s1 = real_max(a->s.hi, b->s.hi);
-    real width = real_max(t1 - t0, s1 - s0), w = (real)1 / 16;
-    if (is_part(a, b) || is_part(b, a)) {
-        return true;
-    }
-    for (int k = 0; k < TRIES && w > 2 * width; k++, w = w / SMALLER) {
+    enum { TRIES = 9, SMALLER = 16 };
+    const struct level *v = &z->level[level];
+    const real spread_t = v->t.hi - v->t.lo, spread_s = v->s.hi - v->s.lo; /* powers of two */
+    struct interval at = {(t->lo - v->t.lo) / spread_t, (t->hi - v->t.lo) / spread_t};
+    struct interval as = {(s->lo - v->s.lo) / spread_s, (s->hi - v->s.lo) / spread_s};
+    /* 8 eps: what rounding at, as and their middles moves */
+    const real least_t = (at.hi - at.lo) * 3 / 4 + 8 * REAL_EPSILON,
+               least_s = (as.hi - as.lo) * 3 / 4 + 8 * REAL_EPSILON;
+    real w = (real)1 / 16;
+    for (int k = 0; k < TRIES; k++, w = w / SMALLER) {
         struct node f, g;
         struct zero found;
-        enum search search = search_around(z, 0, (t0 + t1) / 2, (s0 + s1) / 2, w, w, &f, &g, &found);
+        real wt = real_max(w, least_t), ws = real_max(w, least_s);
+        enum search search =
+            search_around(z, level, (at.lo + at.hi) / 2, (as.lo + as.hi) / 2, wt, ws, &f, &g, &found);
         if (search != STUCK) {
             return true;
         }
+        if (wt > w && ws > w) {
+            break;
+        }
     }
     return false;
+}
+
+/* Is there at most one zero of the extended pair in a rectangle that holds both?  Once more on a level of its
+ * own, where rounding is smaller; none is in use any more. */
+static bool holds_one(struct solver *z, const struct crossing *a, const struct crossing *b)
+{
+    struct interval t = {real_min(a->t.lo, b->t.lo), real_max(a->t.hi, b->t.hi)};
+    struct interval s = {real_min(a->s.lo, b->s.lo), real_max(a->s.hi, b->s.hi)};
+    if (is_part(a, b) || is_part(b, a) || at_most_one(z, 0, &t, &s)) {
+        return true;
+    }
+    z->levels = 1;
+    bool one = level_around(z, &t, &s) && at_most_one(z, 1, &t, &s);
+    z->levels = 1;
+    return one;
 }
 
 /* An END's zero may lie beyond the domain: the rectangle's extension is the record's there, by the tangent at

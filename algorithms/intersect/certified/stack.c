@@ -16,13 +16,43 @@ static bool lies_in(const struct crossing *a, const struct crossing *b)
     return b->t.lo <= a->t.lo && a->t.hi <= b->t.hi && b->s.lo <= a->s.lo && a->s.hi <= b->s.hi;
 }
 
-/* Is all of a said by b as well?  Two records of one solution each, one within the other, hold the same. */
+/* Is all of a said by b as well?  Two records of one solution each, one within the other, hold the same.  An
+ * END says no more than a CLUSTER around it: no solution lies outside either. */
 static bool is_idle(const struct crossing *a, const struct crossing *b)
 {
     if (b->standing == UNIQUE) {
         return a->standing == UNIQUE && lies_in(b, a);
     }
-    return b->standing == CLUSTER && (a->standing == CLUSTER || a->standing == CANDIDATE) && lies_in(a, b);
+    return b->standing == CLUSTER && a->standing != UNIQUE && lies_in(a, b);
+}
+
+/* The rest of b without a, where that is one interval and not all of b. */
+static void cut_away(struct interval *b, const struct interval *a)
+{
+    if (b->lo < a->lo && a->lo < b->hi && b->hi <= a->hi) {
+        b->hi = a->lo;
+    } else if (a->lo <= b->lo && b->lo < a->hi && a->hi < b->hi) {
+        b->lo = a->hi;
+    }
+}
+
+/* A CLUSTER that lies across another proof keeps what is outside of it; of a part at_most is true as well. */
+static void clusters_part(struct crossings *out)
+{
+    for (int i = 0; i < out->count; i++) {
+        struct crossing *b = &out->at[i];
+        for (int k = 0; k < out->count && b->standing == CLUSTER && b->multiplicity == 0; k++) {
+            const struct crossing *a = &out->at[k];
+            if (k == i || a->standing == CANDIDATE) {
+                continue;
+            }
+            if (a->t.lo <= b->t.lo && b->t.hi <= a->t.hi) {
+                cut_away(&b->s, &a->s);
+            } else if (a->s.lo <= b->s.lo && b->s.hi <= a->s.hi) {
+                cut_away(&b->t, &a->t);
+            }
+        }
+    }
 }
 
 void records_tidy(struct solver *z)
@@ -38,6 +68,7 @@ void records_tidy(struct solver *z)
         }
     }
     zeros_unite(z);
+    clusters_part(z->out);
 }
 
 static void record_pair(struct solver *z, const struct pair *at)

@@ -149,6 +149,15 @@ static bool level_new(struct solver *z, const struct interval *t, const struct i
     return true;
 }
 
+bool level_around(struct solver *z, const struct interval *t, const struct interval *s)
+{
+    struct interval at, as;
+    span_make((t->lo + t->hi) / 2, (t->hi - t->lo) / 2 + 32 * REAL_EPSILON, &at);
+    span_make((s->lo + s->hi) / 2, (s->hi - s->lo) / 2 + 32 * REAL_EPSILON, &as);
+    bool inside = at.lo <= t->lo && t->hi <= at.hi && as.lo <= s->lo && s->hi <= as.hi;
+    return inside && z->levels < LEVELS_MAX && level_new(z, &at, &as);
+}
+
 bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const struct crossing *otherwise)
 {
     enum { STEPS = 192 };
