@@ -40,7 +40,7 @@ def cases(folder):
 def timed(folder, name, factors, samples=31, floor=0.01):
     """A file of rows: algorithms with so many times the reference's time, a little scattered."""
     lines = [{"environment": {"noise_floor": floor}}]
-    for algorithm, factor in {"bezier_clipping": 1.0, **factors}.items():
+    for algorithm, factor in {"certified": 1.0, **factors}.items():
         times = [1000 * factor * (1 + 0.002 * ((7 * i + len(algorithm)) % 5 - 2)) for i in range(samples)]
         lines.append({"family": "f", "algorithm": algorithm, "precision": "double", "protocol": "stream", "pairs": 10,
                       "samples": times, "instructions": 5000 * factor})
@@ -77,7 +77,7 @@ def test_rows():
         unknown = timed(folder, "d.jsonl", {"one": 2.2, "two": 3.0}, floor=None)
         found = {row["algorithm"]: row for row in rows(expect(fatline("compare", "--rows", first, slower), REGRESSION))}
         assert found["one"]["change"] == "SLOWER" and abs(found["one"]["ratio"] - 1.1) < 0.01, found
-        assert found["two"]["change"] == "same" and "bezier_clipping" not in found
+        assert found["two"]["change"] == "same" and "certified" not in found
         assert abs(found["one"]["noise_floor"] - (1.01 * 1.01 - 1)) < 1e-12
         assert rows(expect(fatline("compare", "--rows", slower, first), 0))[0]["change"] == "faster"
         expect(fatline("compare", first, near), 0, "noise floor  2.0%")
@@ -102,7 +102,7 @@ def test_instructions_decide():
         first, second = timed(folder, "a.jsonl", {"one": 2.0}), timed(folder, "b.jsonl", {"one": 2.01})
         expect(fatline("compare", first, second), 0)
         ended = expect(fatline("compare", "--rows", "--instructions", first, second), REGRESSION)
-        assert {row["algorithm"]: row["change"] for row in rows(ended)} == {"one": "SLOWER", "bezier_clipping": "same"}
+        assert {row["algorithm"]: row["change"] for row in rows(ended)} == {"one": "SLOWER", "certified": "same"}
 
 
 def test_doctor():
