@@ -177,7 +177,7 @@ all: $(programs) peers-found ## build everything: build/fatline and its programs
 
 tests: $(programs) $(library) $(if $(shell command -v clang),$(FUZZ) build/fuzz/planted) peers-found build/slower/double/fatline-passes $(tests_double) $(tests_others) ## build everything and the tests
 
-check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (8 minutes)
+check: setup-check ## set up, build, and run all tests, at quad and multi on one case in ten (7 to 10 minutes)
 	$(AFTER_SETUP) tests
 	@$(PYTHON) tests/run --cases $(CASES)
 
