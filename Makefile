@@ -225,7 +225,7 @@ instructions: all ## count the instructions of each algorithm under callgrind
 	@scripts/instructions
 	@scripts/region_instructions
 
-paths: build/fatline build/double/fatline-paths peers-found ## time paths of 100 to 1,000,000 segments (2 minutes)
+paths: build/fatline build/double/fatline-paths peers-found ## time paths of 100 to 1,000,000 segments (half a minute)
 	@$(PYTHON) scripts/paths
 
 against-lib2geom: all ## time bezier_clipping beside lib2geom's clipping
