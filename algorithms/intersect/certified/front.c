@@ -92,14 +92,10 @@ enum front_answer front_close(const struct front *z, bool swapped, struct worksp
     return FRONT_DONE;
 }
 
-enum front_answer front_of_certified(const struct problem *p, struct workspace *w, struct crossings *out,
-                                     struct rest *rest)
+/* Not in line: pairs of cubics are not to pay for it. */
+__attribute__((noinline)) static enum front_answer front_of_any(const struct problem *p, struct workspace *w,
+                                                                struct crossings *out, struct rest *rest)
 {
-#ifdef FATLINE_AVX2
-    if (p->f.degree == 3 && p->g.degree == 3 && has_avx2()) {
-        return front_cubics_avx2(p, w, out, rest);
-    }
-#endif
     struct front z;
     if (!front_is_plain(p) || p->f.degree < 1 || p->g.degree < 1 || p->f.degree > DEGREE_MAX ||
         p->g.degree > DEGREE_MAX) {
@@ -109,6 +105,17 @@ enum front_answer front_of_certified(const struct problem *p, struct workspace *
     z.scratch = w->scratch;
     z.scratch_length = w->scratch_length;
     return front_run(&z) ? front_close(&z, swapped, w) : FRONT_REFUSED;
+}
+
+enum front_answer front_of_certified(const struct problem *p, struct workspace *w, struct crossings *out,
+                                     struct rest *rest)
+{
+#ifdef FATLINE_AVX2
+    if (p->f.degree == 3 && p->g.degree == 3 && has_avx2()) {
+        return front_cubics_avx2(p, w, out, rest);
+    }
+#endif
+    return front_of_any(p, w, out, rest);
 }
 
 bool front_of_prepared(const struct problem *p, struct workspace *w, struct crossings *out, struct rest *rest)
