@@ -250,7 +250,7 @@ static void trial_begin(struct kernel *k, const struct waiting *at)
     trial->waiting = k->waiting;
     trial->records = k->z->out->count;
     trial->last_step = k->z->steps + TRIAL_STEPS;
-    trial->deepest = depths_of(at) + 1 + (k->f.n + k->g.n) / 4;
+    trial->deepest = depths_of(at) + 3 + (k->f.n + k->g.n) / 4;
 }
 
 /* What is to be left instead of `at`. */
