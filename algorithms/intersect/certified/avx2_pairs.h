@@ -11,21 +11,24 @@
 enum {
     WAITING_MAX = 64,
     STEPS_OF_KERNEL = 256, /* fewer than CROSSINGS_MAX */
-    TRIAL_STEPS = 6,
-    TRIALS_MAX = 2 /* that fail */
+    TRIAL_STEPS = 16,
+    TRIAL_HALVINGS = 3, /* of both arcs together */
+    TRIALS_MAX = 2      /* that fail */
 };
 
 struct pair_of_parts {
     struct part *f, *g;
 };
 
-/* Few arcs side by side still are when they are halved.  So such a pair is tried for some steps; if it is not
- * settled by then, all that came of it is dropped, and it is left as it was. */
+/* Few arcs side by side still are when they are halved, but for those that touch.  So such a pair is tried
+ * for some steps; if it is not settled by then, or after some halvings parts of it still lie side by side,
+ * all that came of it is dropped, and it is left as it was. */
 struct trial {
     bool on;
     struct pair_of_parts pair;
     int waiting, records; /* there were before */
     int last_step, failed;
+    int deepest; /* depths of both arcs together: deeper ones are not to lie side by side */
 };
 
 struct kernel {
@@ -179,6 +182,11 @@ FATLINE_AVX2 static void split_whole(struct kernel *k)
     }
 }
 
+AVX2_INLINE int depths_of(struct pair_of_parts at)
+{
+    return at.f->depth + at.g->depth;
+}
+
 /* false: there have been too many in vain */
 AVX2_INLINE bool trial_begin(struct kernel *k, struct pair_of_parts at)
 {
@@ -192,6 +200,7 @@ AVX2_INLINE bool trial_begin(struct kernel *k, struct pair_of_parts at)
     t->records = k->z->out->count;
     t->last_step = k->z->steps + TRIAL_STEPS;
     t->last_step = t->last_step < k->last_step ? t->last_step : k->last_step;
+    t->deepest = depths_of(at) + TRIAL_HALVINGS;
     return true;
 }
 
@@ -214,7 +223,7 @@ AVX2_INLINE enum verdict step(struct kernel *k, struct pair_of_parts at)
     }
     k->z->steps++;
     enum verdict verdict = settle(k, at.f, at.g);
-    if (verdict == BESIDE && !k->trial.on && !trial_begin(k, at)) {
+    if (verdict == BESIDE && (k->trial.on ? depths_of(at) > k->trial.deepest : !trial_begin(k, at))) {
         return LEFT;
     }
     return verdict <= BESIDE ? split(k, at.f, at.g) : verdict;
