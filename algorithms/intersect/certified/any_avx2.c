@@ -163,8 +163,12 @@ FATLINE_AVX2 static enum verdict settle_one(struct kernel *k, int i, int j, doub
 FATLINE_AVX2 static enum verdict settle(struct kernel *k, const struct waiting *at)
 {
     struct arc *f = &k->f.arc[at->f], *g = &k->g.arc[at->g];
-    arc_prepare(&k->f, at->f);
-    arc_prepare(&k->g, at->g);
+    if (!f->ready) {
+        arc_prepare(&k->f, at->f);
+    }
+    if (!g->ready) {
+        arc_prepare(&k->g, at->g);
+    }
     double gap = cones_gap(&k->f, f, &k->g, g);
     if (gap > 0) {
         return settle_one(k, at->f, at->g, gap);
@@ -227,13 +231,16 @@ FATLINE_AVX2 static void split_whole(struct kernel *k)
 {
     bool larger_f = k->f.arc[1].bend >= k->g.arc[1].bend;
     int first_f, first_g, n = parts_of(&k->f, larger_f, &first_f), m = parts_of(&k->g, !larger_f, &first_g);
+    struct waiting *top = k->wait; /* none waits yet */
     for (int i = first_f + n - 1; i >= first_f; i--) {
+        const __m256d low = k->f.arc[i].low, high = k->f.arc[i].high;
         for (int j = first_g + m - 1; j >= first_g; j--) {
-            struct waiting next = {i, j};
-            k->wait[k->waiting] = next;
-            k->waiting += arcs_meet(&k->f.arc[i], &k->g.arc[j]);
+            top->f = i;
+            top->g = j;
+            top += octagons_meet(low, high, k->g.arc[j].low, k->g.arc[j].high);
         }
     }
+    k->waiting = (int)(top - k->wait);
 }
 
 static int depths_of(const struct waiting *at)
