@@ -10,6 +10,16 @@ static bool has_avx2(void)
 }
 #endif
 
+/* Are there kernels for many pairs of parts at once? */
+static bool has_many(void)
+{
+#ifdef FATLINE_AVX2
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+#endif
+    return false;
+}
+
 bool front_run(struct front *z)
 {
 #ifdef FATLINE_AVX2
@@ -75,6 +85,7 @@ bool front_open(struct front *z, const struct problem *p, struct crossings *out,
     z->tolerance_t = z->tolerance_s = real_min(widest, real_max(narrowest, p->tolerance));
     z->steps = 0;
     z->max_steps = p->max_steps;
+    z->many = has_many();
     z->out = out;
     z->rest = rest;
     rest->count = 0;
@@ -122,7 +133,7 @@ bool front_of_prepared(const struct problem *p, struct workspace *w, struct cros
 {
     struct front z = {
         &p->f, &p->g,      p->bounds.tolerance_t, p->bounds.tolerance_s, w->steps, p->max_steps, out,
-        rest,  w->scratch, w->scratch_length};
+        rest,  has_many(), w->scratch, w->scratch_length};
     rest->count = 0;
     if (p->f.w || p->g.w || !front_run(&z)) {
         return false;

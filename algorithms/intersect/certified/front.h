@@ -25,6 +25,7 @@ struct front {
     int steps, max_steps;          /* taken: the kernel counts them; at most so many */
     struct crossings *out;         /* records are added, with t and s as for f and g */
     struct rest *rest;
+    bool many; /* kernels for many pairs of parts at once may be used */
     real *scratch; /* memory of the call, of scratch_length numbers */
     size_t scratch_length;
 };
