@@ -207,12 +207,15 @@ static void test_extra_and_undecided(void **state)
         assert_counts(verdict(&e), RIGHT, 3, 0, 0, 0, 0, 1);
         more->standing = END;
         assert_counts(verdict(&e), RIGHT, 3, 0, 0, 0, 0, 1);
+        more->standing = CLUSTER; /* promises none, however many it allows */
+        for (more->at_most = 0; more->at_most <= 9; more->at_most++)
+            assert_counts(verdict(&e), RIGHT, 3, 0, 0, 0, 0, 1);
         more->standing = UNIQUE;
         struct judgement v = verdict(&e);
         assert_counts(v, WRONG, 3, 0, 1, 0, 0, 0);
         assert_true(fabs(v.extra_t - real_to_double(t)) < 1e-8);
         /* where the curves are apart */
-        more->standing = CANDIDATE;
+        more->standing = i % 2 ? CANDIDATE : CLUSTER;
         more->s.lo += (real)(40 * TOL);
         more->s.hi += (real)(40 * TOL);
         assert_counts(verdict(&e), WRONG, 3, 0, 1, 0, 0, 0);
