@@ -148,8 +148,8 @@ static long count_lines(const struct check_options *o)
     char *text = NULL;
     size_t size = 0;
     long count = 0;
-    for (int i = 0; i < o->file_count; i++) {
-        FILE *stream = check_open_cases(o->files[i]);
+    for (int i = 0; i < selection_files(&o->cases); i++) {
+        FILE *stream = check_open_cases(selection_file(&o->cases, i));
         while (stream && getline(&text, &size, stream) >= 0)
             count += !check_line_is_blank(text);
         if (stream)
@@ -161,10 +161,10 @@ static long count_lines(const struct check_options *o)
 
 static bool reads_standard_input(const struct check_options *o)
 {
-    for (int i = 0; i < o->file_count; i++)
-        if (!strcmp(o->files[i], "-"))
+    for (int i = 0; i < selection_files(&o->cases); i++)
+        if (!strcmp(selection_file(&o->cases, i), "-"))
             return true;
-    return o->file_count == 0;
+    return false;
 }
 
 static char *group_of(const json_t *row)
@@ -176,7 +176,7 @@ static char *group_of(const json_t *row)
 /* 0, or an exit status. */
 static int open_output(int argc, char **argv, struct check_options *o, struct resume *resume)
 {
-    struct resume_rule rule = {group_of, o->algorithms.count + (o->external != NULL)};
+    struct resume_rule rule = {group_of, o->solving.algorithms.count + (o->solving.external != NULL)};
     memset((void *)resume, 0, sizeof *resume);
     resume->out = stdout;
     if (!o->rows)
@@ -205,7 +205,7 @@ int main(int argc, char **argv)
     if (reads_standard_input(&options))
         check_load_standard_input();
     if (options.dry_run)
-        return check_estimate(&options, count_lines(&options));
+        return check_estimate(&options);
     int status = open_output(argc, argv, &options, &output);
     if (status)
         return status;
@@ -220,10 +220,8 @@ int main(int argc, char **argv)
 
     if (!options.rows)
         check_table_write(&table, stdout);
-    if (status == OK && !table.count && !interrupted)
-        fprintf(
-            stderr,
-            "fatline check: no case was checked: there is none in the files, or none that was asked for\n");
+    if (status == OK && !table.count && !output.done && !interrupted)
+        status = selection_complain(&options.cases, "fatline check");
     if (check_table_unjudged(&table))
         fprintf(stderr, "fatline check: %ld answers unjudged for want of a truth (--truth computes it)\n",
                 check_table_unjudged(&table));

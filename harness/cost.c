@@ -6,8 +6,9 @@
 #include "cases/case.h"
 #include "convergence/cost_law.h"
 #include "convergence/measuring.h"
+#include "cases/json_text.h"
 #include "cases/problem.h"
-#include "run/progress.h"
+#include "run/options.h"
 #include "run/row.h"
 
 const char *argp_program_version = "fatline 0.1";
@@ -36,7 +37,8 @@ static const char documentation[] =
     "rounding error of the coordinates (2^-26 in double), strips are as wide as that error and the law "
     "breaks: the default "
     "ends before.\n\n"
-    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data, 130 when interrupted.";
+    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data or no case, 130 when "
+    "interrupted.";
 
 struct command {
     struct measuring measuring;
@@ -54,19 +56,23 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[0] = &o->measuring;
         return 0;
     case FROM:
-        o->from = measuring_count(state, "from", text, 0, REAL_BITS);
+        o->from = option_integer(state, "--from", text, 0, REAL_BITS);
         return 0;
     case TO:
-        o->to = measuring_count(state, "to", text, 1, REAL_BITS);
+        o->to = option_integer(state, "--to", text, 1, REAL_BITS);
         return 0;
     case EVERY:
-        o->every = measuring_count(state, "every", text, 1, REAL_BITS);
+        o->every = option_integer(state, "--every", text, 1, REAL_BITS);
         return 0;
     case MAX_STEPS:
-        o->max_steps = measuring_count(state, "max-steps", text, 1, 1000000000);
+        o->max_steps = option_integer(state, "--max-steps", text, 1, 1000000000);
         return 0;
     case ROOM:
-        o->room = measuring_count(state, "room", text, 4, 10000000);
+        o->room = option_integer(state, "--room", text, 4, 10000000);
+        return 0;
+    case ARGP_KEY_END:
+        if (o->from > o->to)
+            argp_error(state, "--from %d is beyond --to %d", o->from, o->to);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -92,23 +98,18 @@ static void report_point(const struct command *o, const struct test_case *c, con
                outcome_name(outcome));
 }
 
-static json_t *number_or_null(double a)
-{
-    return isfinite(a) ? json_real(a) : json_null();
-}
-
 static void report_law(const struct command *o, const struct test_case *c, const struct intersector *a,
                        const struct cost_law *law, int from, int to)
 {
     if (o->measuring.rows) {
-        row_write(stdout,
-                  json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i, s:i, s:i}", "id",
-                            c->id, "algorithm", a->name, "precision", REAL_NAME, "law",
-                            cost_model_name(law->model), "exponent", number_or_null(law->p), "lo",
-                            number_or_null(law->lo), "hi", number_or_null(law->hi), "c",
-                            number_or_null(law->c), "b", number_or_null(law->b), "rms_logarithmic",
-                            number_or_null(law->rms_logarithmic), "rms_power", number_or_null(law->rms_power),
-                            "points", law->points, "log2_eps_from", -from, "log2_eps_to", -to));
+        row_write(stdout, json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i, s:i, s:i}",
+                                    "id", c->id, "algorithm", a->name, "precision", REAL_NAME, "law",
+                                    cost_model_name(law->model), "exponent", json_number_or_null(law->p),
+                                    "lo", json_number_or_null(law->lo), "hi", json_number_or_null(law->hi),
+                                    "c", json_number_or_null(law->c), "b", json_number_or_null(law->b),
+                                    "rms_logarithmic", json_number_or_null(law->rms_logarithmic), "rms_power",
+                                    json_number_or_null(law->rms_power), "points", law->points,
+                                    "log2_eps_from", -from, "log2_eps_to", -to));
         return;
     }
     if (law->model == POWER)
@@ -151,11 +152,8 @@ static bool measure(void *data, struct test_case *c)
 {
     struct command *o = (struct command *)data;
     struct owned_problem owned;
-    const char *why_not = owned_problem_make(c, (real)1, o->max_steps, &owned);
-    if (why_not) {
-        progress_note("%s:%d: %s", c->file, c->line_number, why_not);
+    if (!measuring_problem(c, (real)1, o->max_steps, &owned))
         return false;
-    }
     for (int i = 0; i < o->measuring.algorithms.count && !measuring_is_interrupted(); i++)
         climb(o, c, &owned.problem, o->measuring.algorithms.at[i]);
     owned_problem_clear(&owned);

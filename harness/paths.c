@@ -71,6 +71,17 @@ static int run_all(FILE *out, const struct path_options *o, const struct path_se
     return worst;
 }
 
+/* 0 or an exit status: a file without a path is one. */
+static int read_file(struct path_set *set, const char *file)
+{
+    int status = path_set_read(set, file);
+    if (status == OK && set->count == 0) {
+        progress_note("fatline paths: no path in %s", strcmp(file, "-") ? file : "standard input");
+        status = BAD_DATA;
+    }
+    return status;
+}
+
 static void make_random(const struct path_options *o, struct path_set *a, struct path_set *b)
 {
     char id[2][64];
@@ -96,7 +107,7 @@ int main(int argc, char **argv)
         return FAILED;
     }
     for (int k = 0; k < 2 && options.files[k] && read != FAILED; k++) {
-        int status = path_set_read(k ? &b : &a, options.files[k]);
+        int status = read_file(k ? &b : &a, options.files[k]);
         read = status ? status : read;
     }
     if (options.random)

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cases/selection.h"
 #include "regions/region_answer.h"
 #include "regions/region_check.h"
 #include "regions/region_options.h"
@@ -23,7 +24,7 @@ struct program {
     struct region *region;
     struct region_breaks *breaks;
     struct region_checker checker;
-    long repeated;
+    long repeated, lines;
 };
 
 static volatile sig_atomic_t interrupted;
@@ -179,6 +180,7 @@ static int solve_file(struct program *p, const char *path)
         number++;
         if (!text[strspn(text, " \t\r\n")])
             continue;
+        p->lines++;
         int status = solve_line(p, text, standard ? "stdin" : path, number);
         worst = status != OK ? status : worst;
         if (status != OK && !p->options.keep_going)
@@ -201,19 +203,19 @@ static void write_random(const struct region_options *o)
 
 static int solve_all(struct program *p)
 {
+    struct selection all;
     int worst = OK;
-    if (p->options.random) {
-        write_random(&p->options);
-        return OK;
-    }
-    if (p->options.file_count == 0)
-        return solve_file(p, "-");
-    for (int i = 0; i < p->options.file_count && !interrupted; i++) {
-        int status = solve_file(p, p->options.files[i]);
+    memset((void *)&all, 0, sizeof all);
+    all.files = p->options.files;
+    all.file_count = p->options.file_count;
+    for (int i = 0; i < selection_files(&all) && !interrupted; i++) {
+        int status = solve_file(p, selection_file(&all, i));
         worst = status != OK && worst != FAILED ? status : worst;
         if (status != OK && !p->options.keep_going)
             break;
     }
+    if (worst == OK && !p->lines && !interrupted)
+        worst = selection_complain(&all, "fatline region");
     return worst;
 }
 
@@ -241,7 +243,11 @@ int main(int argc, char **argv)
         p.checker.exact = &exact;
     if ((p.options.check && p.options.rows) || p.options.time)
         row_write(stdout, row_environment(argc, argv, REAL_NAME));
-    int status = solve_all(&p);
+    int status = OK;
+    if (p.options.random)
+        write_random(&p.options);
+    else
+        status = solve_all(&p);
     if (p.options.check && !p.options.rows)
         region_check_summary(&p.checker, stdout);
     if (p.options.repeat)

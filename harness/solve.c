@@ -1,6 +1,5 @@
 /* fatline solve: one line for each case and algorithm. */
 #include <errno.h>
-#include <fnmatch.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,6 +24,7 @@ enum { OK = 0, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
 struct solver {
     const struct solve_options *options;
     FILE *out;
+    long taken;        /* cases that were asked for */
     bool human, flush; /* flush: somebody may be waiting for each line */
     struct workspace workspace;
     int n, m; /* the workspace takes curves of these degrees; 0: there is none */
@@ -78,7 +78,7 @@ static void fit_workspace(struct solver *s, int n, int m)
         workspace_clear(&s->workspace);
     s->n = n > s->n ? n : s->n;
     s->m = m > s->m ? m : s->m;
-    workspace_make(&s->workspace, s->options->algorithms.at, s->n, s->m, s->options->room);
+    workspace_make(&s->workspace, s->options->solving.algorithms.at, s->n, s->m, s->options->solving.room);
 }
 
 static void solve_by(struct solver *s, const struct test_case *c, const struct problem *p,
@@ -111,16 +111,17 @@ static int solve_case(struct solver *s, const struct test_case *c)
 {
     const struct solve_options *o = s->options;
     struct owned_problem owned;
-    if (o->id && fnmatch(o->id, c->id, 0))
+    if (!selection_takes(&o->cases, c))
         return OK;
-    const char *why_not = owned_problem_make(c, o->tolerance, o->max_steps, &owned);
+    s->taken++;
+    const char *why_not = owned_problem_make(c, o->tolerance, o->solving.max_steps, &owned);
     if (why_not) {
         progress_note("%s:%d: %s", c->file, c->line_number, why_not);
         return BAD_DATA;
     }
-    for (int i = 0; i < o->algorithms.count && !interrupted; i++)
-        solve_by(s, c, &owned.problem, o->algorithms.at[i]);
-    if (o->external && !interrupted)
+    for (int i = 0; i < o->solving.algorithms.count && !interrupted; i++)
+        solve_by(s, c, &owned.problem, o->solving.algorithms.at[i]);
+    if (o->solving.external && !interrupted)
         solve_outside(s, c, &owned.problem);
     owned_problem_clear(&owned);
     progress_step();
@@ -185,15 +186,12 @@ static int solve_own(struct solver *s)
 
 static int solve_all(struct solver *s)
 {
-    static char standard_input[] = "-";
-    static char *const no_files[] = {standard_input};
     const struct solve_options *o = s->options;
-    char *const *files = o->file_count ? o->files : no_files;
     int worst = OK;
     if (o->own_line)
         return solve_own(s);
-    for (int i = 0; i < (o->file_count ? o->file_count : 1) && !interrupted; i++) {
-        int result = solve_file(s, files[i]);
+    for (int i = 0; i < selection_files(&o->cases) && !interrupted; i++) {
+        int result = solve_file(s, selection_file(&o->cases, i));
         if (result != OK)
             worst = worst == FAILED ? FAILED : result;
         if (result != OK && !o->keep_going)
@@ -214,9 +212,11 @@ static int open_all(struct solver *s, const struct solve_options *o)
         return FAILED;
     }
     s->flush = fstat(fileno(s->out), &out) || !S_ISREG(out.st_mode);
+    guard_set_timeout(o->solving.timeout);
     s->human = o->human || (o->own_line && isatty(fileno(s->out)));
-    const char *error =
-        o->external ? external_start(&s->external, o->external, o->timeout, o->tolerance) : NULL;
+    const char *error = o->solving.external ? external_start(&s->external, o->solving.external,
+                                                             o->solving.timeout, o->tolerance)
+                                            : NULL;
     if (error)
         fprintf(stderr, "fatline solve: %s\n", error);
     return error ? FAILED : OK;
@@ -230,7 +230,7 @@ static int close_all(struct solver *s)
     if (bad)
         fprintf(stderr, "%s: cannot be written\n",
                 s->options->output ? s->options->output : "standard output");
-    if (s->options->external)
+    if (s->options->solving.external)
         external_stop(&s->external);
     guard_end();
     if (s->n > 0)
@@ -254,6 +254,8 @@ int main(int argc, char **argv)
     progress_begin("solve", 0);
     result = solve_all(&s);
     progress_end();
+    if (result == OK && !interrupted && !s.taken)
+        result = selection_complain(&options.cases, "fatline solve");
     int closed = close_all(&s);
     solve_options_clear(&options);
     return interrupted ? INTERRUPTED : closed != OK ? closed : result;

@@ -8,6 +8,7 @@
 #include "cases/number.h"
 #include "convergence/path.h"
 #include "cases/problem.h"
+#include "run/options.h"
 #include "run/progress.h"
 #include "run/row.h"
 
@@ -34,7 +35,8 @@ static const char documentation[] =
     "accepted. log2_t, log2_s: of the widths in f's and g's parameter. depth: splits that led here.\n\n"
     "Algorithms that do not work on cells (see core/cells.h) make no steps that could be watched, and no "
     "rows.\n\n"
-    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data, 130 when interrupted.";
+    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data or no case, 130 when "
+    "interrupted.";
 
 /* What led to a waiting cell. */
 struct lineage {
@@ -63,13 +65,13 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[0] = &o->measuring;
         return 0;
     case BITS:
-        o->bits = measuring_count(state, "bits", text, 1, REAL_BITS);
+        o->bits = option_integer(state, "--bits", text, 1, REAL_BITS);
         return 0;
     case MAX_STEPS:
-        o->max_steps = measuring_count(state, "max-steps", text, 1, 1000000000);
+        o->max_steps = option_integer(state, "--max-steps", text, 1, 1000000000);
         return 0;
     case ROOM:
-        o->room = measuring_count(state, "room", text, 4, 10000000);
+        o->room = option_integer(state, "--room", text, 4, 10000000);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -133,11 +135,8 @@ static bool measure(void *data, struct test_case *c)
 {
     struct command *o = (struct command *)data;
     struct owned_problem owned;
-    const char *why_not = owned_problem_make(c, real_ldexp(1, -o->bits), o->max_steps, &owned);
-    if (why_not) {
-        progress_note("%s:%d: %s", c->file, c->line_number, why_not);
+    if (!measuring_problem(c, real_ldexp(1, -o->bits), o->max_steps, &owned))
         return false;
-    }
     for (int i = 0; i < o->measuring.algorithms.count && !measuring_is_interrupted(); i++) {
         o->id = c->id;
         o->algorithm = o->measuring.algorithms.at[i];

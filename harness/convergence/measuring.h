@@ -6,20 +6,20 @@
 #include <argp.h>
 
 #include "../run/algorithms_named.h"
-#include "../cases/case.h"
+#include "../cases/problem.h"
+#include "../cases/selection.h"
+#include "../truth/known_solutions.h"
 
-/* `children` of the commands' argp: --algorithm, --id, --rows, --quiet and files.  Its input is a struct
- * measuring, zeroed. */
+/* `children` of the commands' argp: --algorithm, --class, --id, --filter, --rows, --quiet and files.  Its
+ * input is a struct measuring, zeroed. */
 struct measuring {
     struct algorithms_named algorithms; /* all, if none was named */
-    const char *id;                     /* glob of the cases to be measured, or NULL */
+    struct selection cases;
     bool rows, quiet;
-    char **files;
-    int file_count;
 };
 extern const struct argp measuring_argp;
 
-/* Reads the cases one after the other and calls `measure` for each whose id matches; writes the environment
+/* Reads the cases one after the other and calls `measure` for each that is asked for; writes the environment
  * first if there are to be rows.  measure returns false if it could not measure and has said so.  The exit
  * status. */
 int measuring_run(const struct measuring *m, int argc, char **argv,
@@ -27,7 +27,8 @@ int measuring_run(const struct measuring *m, int argc, char **argv,
 bool measuring_is_interrupted(void);
 void measuring_clear(struct measuring *m);
 
-/* Whole numbers and numbers > 0 of options; ends the program with status 64 where they are none. */
-int measuring_count(struct argp_state *state, const char *name, const char *text, int lo, int hi);
+/* What the commands ask of a case; false if it cannot be had, which was then said. */
+bool measuring_problem(const struct test_case *c, real tolerance, int max_steps, struct owned_problem *p);
+bool measuring_solutions(struct test_case *c, int digits, double seconds, struct known_solutions *known);
 
 #endif
