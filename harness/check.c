@@ -21,19 +21,12 @@
 #include "judge/check_estimate.h"
 #include "judge/check_table.h"
 #include "judge/check_worker.h"
+#include "run/interrupt.h"
 #include "run/progress.h"
 #include "run/resume.h"
 #include "run/row.h"
 
-enum { OK = 0, NOT_RIGHT = 1, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
-
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int signal_number)
-{
-    (void)signal_number;
-    interrupted = 1;
-}
+enum { OK = 0, NOT_RIGHT = 1, FAILED = 2, BAD_DATA = 65 };
 
 /* ---- the parent ------------------------------------------------------------------------------------------
  */
@@ -197,11 +190,9 @@ int main(int argc, char **argv)
     struct check_options options;
     struct check_table table;
     struct resume output;
-    struct sigaction action;
 
     check_options_read(argc, argv, &options);
     memset(&table, 0, sizeof table);
-    memset(&action, 0, sizeof action);
     if (reads_standard_input(&options))
         check_load_standard_input();
     if (options.dry_run)
@@ -211,10 +202,7 @@ int main(int argc, char **argv)
         return status;
     progress_set_quiet(options.quiet || (options.rows && !options.output && isatty(STDOUT_FILENO)));
     progress_begin("check", count_lines(&options));
-    action.sa_handler = interrupt;
-    action.sa_flags = SA_RESETHAND; /* the second signal ends the program at once */
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    interrupt_watch(NULL);
     status = check_all(&options, output.out, &table);
     progress_end();
 

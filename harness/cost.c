@@ -8,6 +8,7 @@
 #include "convergence/measuring.h"
 #include "cases/json_text.h"
 #include "cases/problem.h"
+#include "run/interrupt.h"
 #include "run/options.h"
 #include "run/row.h"
 
@@ -52,9 +53,6 @@ static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct command *o = (struct command *)state->input;
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->measuring;
-        return 0;
     case FROM:
         o->from = option_integer(state, "--from", text, 0, REAL_BITS);
         return 0;
@@ -133,7 +131,7 @@ static void climb(struct command *o, const struct test_case *c, struct problem *
 {
     double bits[POINTS_MAX], steps[POINTS_MAX];
     int n = 0, last = o->from;
-    for (int b = o->from; b <= o->to && n < POINTS_MAX && !measuring_is_interrupted(); b += o->every) {
+    for (int b = o->from; b <= o->to && n < POINTS_MAX && !interrupted; b += o->every) {
         p->tolerance = real_ldexp(1, -b);
         o->accepted = 0;
         enum outcome outcome = problem_solve(p, a, &o->workspace, o->crossings);
@@ -154,7 +152,7 @@ static bool measure(void *data, struct test_case *c)
     struct owned_problem owned;
     if (!measuring_problem(c, (real)1, o->max_steps, &owned))
         return false;
-    for (int i = 0; i < o->measuring.algorithms.count && !measuring_is_interrupted(); i++)
+    for (int i = 0; i < o->measuring.algorithms.count && !interrupted; i++)
         climb(o, c, &owned.problem, o->measuring.algorithms.at[i]);
     owned_problem_clear(&owned);
     return true;
@@ -162,16 +160,14 @@ static bool measure(void *data, struct test_case *c)
 
 int main(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&measuring_argp, 0, 0, 0}, {0, 0, 0, 0}};
-    static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
+    static const struct argp own = {options, parse, 0, 0, 0, 0, 0};
     static struct command o;
     o.from = 4;
     o.to = REAL_BITS < 300 ? REAL_BITS / 3 : 100;
     o.every = 2;
     o.max_steps = 1000000;
     o.room = 8 * WORKSPACE_ROOM;
-    if (argp_parse(&argp, argc, argv, 0, NULL, &o))
-        return 64;
+    measuring_read(argc, argv, &own, documentation, &o.measuring);
     workspace_make(&o.workspace, o.measuring.algorithms.at, DEGREE_MAX, DEGREE_MAX, o.room);
     o.crossings = (struct crossings *)malloc(sizeof *o.crossings);
     if (!o.crossings)

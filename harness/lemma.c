@@ -8,6 +8,7 @@
 #include "convergence/measuring.h"
 #include "cases/json_text.h"
 #include "cases/problem.h"
+#include "run/interrupt.h"
 #include "run/options.h"
 #include "run/row.h"
 
@@ -49,9 +50,6 @@ static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct command *o = (struct command *)state->input;
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->measuring;
-        return 0;
     case SECONDS:
         o->seconds = option_integer(state, "--seconds", text, 1, 1000000);
         return 0;
@@ -131,7 +129,7 @@ static void measure_reduction(const struct command *o, const struct test_case *c
 {
     int n = (of_g ? &c->g : &c->f)->degree;
     for (int k = 1; k <= 3 && k < n; k++)
-        for (int j = -1; j <= k && !measuring_is_interrupted(); j++) {
+        for (int j = -1; j <= k && !interrupted; j++) {
             struct subject s = {c->id, NULL, j < 0 ? "3.2" : "3.3", of_g ? "g" : "f", solution, k, j};
             struct power_law l = reduction_law(c, z, of_g, k, j);
             struct figure v = {l.exponent,
@@ -198,7 +196,7 @@ static void measure_solution(struct command *o, const struct test_case *c, const
     for (int of_g = 0; of_g < 2; of_g++)
         if (!(of_g ? &c->g : &c->f)->rational)
             measure_reduction(o, c, z, solution, of_g);
-    for (int i = 0; i < o->measuring.algorithms.count && !measuring_is_interrupted(); i++) {
+    for (int i = 0; i < o->measuring.algorithms.count && !interrupted; i++) {
         for (int of_g = 0; of_g < 2; of_g++)
             measure_cut(o, c, o->measuring.algorithms.at[i], z, solution, of_g);
         measure_sweeps(o, c, o->measuring.algorithms.at[i], z, solution);
@@ -212,7 +210,7 @@ static bool measure(void *data, struct test_case *c)
     struct known_solutions known;
     if (!measuring_solutions(c, (int)(2 * REAL_BITS * 0.30103) + 10, o->seconds, &known))
         return false;
-    for (int i = 0; i < known.count && !measuring_is_interrupted(); i++)
+    for (int i = 0; i < known.count && !interrupted; i++)
         if (known.at[i].multiplicity == 1)
             measure_solution(o, c, &known.at[i], i);
     known_solutions_clear(&known);
@@ -221,12 +219,10 @@ static bool measure(void *data, struct test_case *c)
 
 int main(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&measuring_argp, 0, 0, 0}, {0, 0, 0, 0}};
-    static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
+    static const struct argp own = {options, parse, 0, 0, 0, 0, 0};
     static struct command o;
     o.seconds = 60;
-    if (argp_parse(&argp, argc, argv, 0, NULL, &o))
-        return 64;
+    measuring_read(argc, argv, &own, documentation, &o.measuring);
     order_bench_make(&o.bench, o.measuring.algorithms.at, DEGREE_MAX);
     int status = measuring_run(&o.measuring, argc, argv, measure, &o);
     order_bench_clear(&o.bench);

@@ -7,6 +7,7 @@
 #include "convergence/order_measure.h"
 #include "cases/json_text.h"
 #include "cases/problem.h"
+#include "run/interrupt.h"
 #include "run/options.h"
 #include "run/progress.h"
 #include "run/row.h"
@@ -65,9 +66,6 @@ static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct command *o = (struct command *)state->input;
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->measuring;
-        return 0;
     case PROTOCOL:
         o->rounds = strcmp(text, "boxes") != 0;
         o->boxes = strcmp(text, "rounds") != 0;
@@ -143,7 +141,7 @@ static void measure_solution(struct command *o, const struct test_case *c, const
                              const struct known_solutions *known, int solution)
 {
     const struct known_solution *z = &known->at[solution];
-    for (int i = 0; i < o->measuring.algorithms.count && !measuring_is_interrupted(); i++) {
+    for (int i = 0; i < o->measuring.algorithms.count && !interrupted; i++) {
         const struct intersector *a = o->measuring.algorithms.at[i];
         if (o->rounds) {
             struct order_estimate e = order_by_rounds(&o->bench, p, a, z, o->bits);
@@ -173,7 +171,7 @@ static bool measure(void *data, struct test_case *c)
         progress_note("%s: no solution %d, there are %d", c->id, o->solution, known.count);
     else if (known.count == 0)
         progress_note("%s: no isolated solution", c->id);
-    for (int i = 0; i < known.count && !measuring_is_interrupted(); i++)
+    for (int i = 0; i < known.count && !interrupted; i++)
         if (o->solution < 0 || o->solution == i) {
             measure_solution(o, c, &owned.problem, &known, i);
             o->measured = true;
@@ -185,15 +183,13 @@ static bool measure(void *data, struct test_case *c)
 
 int main(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&measuring_argp, 0, 0, 0}, {0, 0, 0, 0}};
-    static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
+    static const struct argp own = {options, parse, 0, 0, 0, 0, 0};
     struct command o;
     memset((void *)&o, 0, sizeof o);
     o.rounds = o.boxes = true;
     o.solution = -1;
     o.seconds = 60;
-    if (argp_parse(&argp, argc, argv, 0, NULL, &o))
-        return 64;
+    measuring_read(argc, argv, &own, documentation, &o.measuring);
     order_bench_make(&o.bench, o.measuring.algorithms.at, DEGREE_MAX);
     int status = measuring_run(&o.measuring, argc, argv, measure, &o);
     if (status == OK && o.solution >= 0 && !o.measured)

@@ -1,7 +1,6 @@
 /* fatline region: where a control point may go. */
 #include <argp.h>
 #include <errno.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,10 +12,11 @@
 #include "regions/region_problem.h"
 #include "regions/region_random.h"
 #include "regions/region_time.h"
+#include "run/interrupt.h"
 #include "run/row.h"
 #include "timing/clock.h"
 
-enum { OK = 0, WRONG = 1, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
+enum { OK = 0, WRONG = 1, FAILED = 2, BAD_DATA = 65 };
 
 struct program {
     struct region_options options;
@@ -26,14 +26,6 @@ struct program {
     struct region_checker checker;
     long repeated, lines;
 };
-
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int signal_number)
-{
-    (void)signal_number;
-    interrupted = 1;
-}
 
 static int count_arcs(const struct region *r)
 {
@@ -225,7 +217,6 @@ int main(int argc, char **argv)
 {
     static struct program p;
     static struct region exact;
-    struct sigaction action;
     region_options_read(argc, argv, &p.options);
     p.region = (struct region *)malloc(sizeof *p.region);
     p.breaks = (struct region_breaks *)malloc(sizeof *p.breaks);
@@ -233,11 +224,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "fatline region: out of memory\n");
         return FAILED;
     }
-    memset(&action, 0, sizeof action);
-    action.sa_handler = interrupt;
-    action.sa_flags = SA_RESETHAND; /* the second signal ends the program at once */
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    interrupt_watch(NULL);
     p.checker.rows = p.options.rows;
     if (p.options.check && p.options.count > 1 && p.options.method[0] == region_methods[0])
         p.checker.exact = &exact;

@@ -1,6 +1,5 @@
 /* fatline solve: one line for each case and algorithm. */
 #include <errno.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,42 +14,22 @@
 #include "run/external.h"
 #include "cases/problem.h"
 #include "run/guard.h"
+#include "run/interrupt.h"
 #include "run/progress.h"
 #include "run/solve_options.h"
 #include "truth/decide.h"
 
-enum { OK = 0, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
+enum { OK = 0, FAILED = 2, BAD_DATA = 65 };
 
 struct solver {
     const struct solve_options *options;
     FILE *out;
     long taken;        /* cases that were asked for */
     bool human, flush; /* flush: somebody may be waiting for each line */
-    struct workspace workspace;
-    int n, m; /* the workspace takes curves of these degrees; 0: there is none */
+    struct fitted_workspace memory;
     struct crossings *crossings;
     struct external external;
 };
-
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int signal_number)
-{
-    (void)signal_number;
-    interrupted = 1;
-    external_interrupt();
-}
-
-/* The second signal ends the program at once. */
-static void watch_signals(void)
-{
-    struct sigaction action;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = interrupt;
-    action.sa_flags = SA_RESETHAND;
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-}
 
 /* decided: whether it is, with --decide; else not there. */
 static void write_answer(struct solver *s, const struct answer *a, const struct problem *p,
@@ -70,25 +49,15 @@ static void write_answer(struct solver *s, const struct answer *a, const struct 
         fflush(s->out);
 }
 
-static void fit_workspace(struct solver *s, int n, int m)
-{
-    if (n <= s->n && m <= s->m)
-        return;
-    if (s->n > 0)
-        workspace_clear(&s->workspace);
-    s->n = n > s->n ? n : s->n;
-    s->m = m > s->m ? m : s->m;
-    workspace_make(&s->workspace, s->options->solving.algorithms.at, s->n, s->m, s->options->solving.room);
-}
-
 static void solve_by(struct solver *s, const struct test_case *c, const struct problem *p,
                      const struct intersector *algorithm)
 {
     struct answer a = {c->id, algorithm->name,        s->options->tolerance, INVALID,
                        0,     algorithm->points_only, s->crossings};
-    fit_workspace(s, p->f.degree, p->g.degree);
-    a.outcome = guard_solve(p, algorithm, &s->workspace, s->crossings);
-    a.steps = s->workspace.steps;
+    struct workspace *w = workspace_fit(&s->memory, s->options->solving.algorithms.at, p->f.degree,
+                                        p->g.degree, s->options->solving.room);
+    a.outcome = guard_solve(p, algorithm, w, s->crossings);
+    a.steps = w->steps;
     double seconds = s->options->decide;
     const char *why_not = seconds > 0 ? decide(c, p, seconds, &a.outcome, s->crossings) : NULL;
     write_answer(s, &a, p, why_not, seconds > 0 ? json_boolean(!why_not) : NULL);
@@ -233,8 +202,7 @@ static int close_all(struct solver *s)
     if (s->options->solving.external)
         external_stop(&s->external);
     guard_end();
-    if (s->n > 0)
-        workspace_clear(&s->workspace);
+    fitted_workspace_clear(&s->memory);
     free(s->crossings);
     return bad ? FAILED : OK;
 }
@@ -249,7 +217,7 @@ int main(int argc, char **argv)
     int result = open_all(&s, &options);
     if (result != OK)
         return result;
-    watch_signals();
+    interrupt_watch(external_interrupt);
     progress_set_quiet(options.quiet || options.own_line || isatty(fileno(s.out)));
     progress_begin("solve", 0);
     result = solve_all(&s);

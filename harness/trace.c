@@ -8,6 +8,7 @@
 #include "cases/number.h"
 #include "convergence/path.h"
 #include "cases/problem.h"
+#include "run/interrupt.h"
 #include "run/options.h"
 #include "run/progress.h"
 #include "run/row.h"
@@ -61,9 +62,6 @@ static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct command *o = (struct command *)state->input;
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->measuring;
-        return 0;
     case BITS:
         o->bits = option_integer(state, "--bits", text, 1, REAL_BITS);
         return 0;
@@ -137,7 +135,7 @@ static bool measure(void *data, struct test_case *c)
     struct owned_problem owned;
     if (!measuring_problem(c, real_ldexp(1, -o->bits), o->max_steps, &owned))
         return false;
-    for (int i = 0; i < o->measuring.algorithms.count && !measuring_is_interrupted(); i++) {
+    for (int i = 0; i < o->measuring.algorithms.count && !interrupted; i++) {
         o->id = c->id;
         o->algorithm = o->measuring.algorithms.at[i];
         o->step = o->call = 0;
@@ -154,14 +152,12 @@ static bool measure(void *data, struct test_case *c)
 
 int main(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&measuring_argp, 0, 0, 0}, {0, 0, 0, 0}};
-    static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
+    static const struct argp own = {options, parse, 0, 0, 0, 0, 0};
     static struct command o;
     o.bits = 40;
     o.max_steps = STEPS_MAX;
     o.room = WORKSPACE_ROOM;
-    if (argp_parse(&argp, argc, argv, 0, NULL, &o))
-        return 64;
+    measuring_read(argc, argv, &own, documentation, &o.measuring);
     workspace_make(&o.workspace, o.measuring.algorithms.at, DEGREE_MAX, DEGREE_MAX, o.room);
     o.crossings = (struct crossings *)malloc(sizeof *o.crossings);
     o.lineage = (struct lineage *)malloc((size_t)o.room * sizeof *o.lineage);

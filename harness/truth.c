@@ -1,7 +1,6 @@
 /* fatline truth: the exact intersections of case lines. */
 #include <argp.h>
 #include <errno.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -12,6 +11,7 @@
 #include "cases/json_text.h"
 #include "cases/selection.h"
 #include "run/options.h"
+#include "run/interrupt.h"
 #include "run/progress.h"
 #include "run/row.h"
 #include "truth/truth_compare.h"
@@ -19,7 +19,7 @@
 const char *argp_program_version = "fatline 0.1";
 
 enum { DIGITS_LEAST = 40, DIGITS_MOST = 1000 };
-enum status { OK = 0, WRONG = 1, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
+enum status { OK = 0, WRONG = 1, FAILED = 2, BAD_DATA = 65 };
 enum { COMPARE = 256, DIGITS, SECONDS, TIMING, KEEP_GOING, WITHIN };
 
 /* Seconds of the cases of one pair of degrees. */
@@ -43,14 +43,6 @@ struct run {
     long taken; /* cases that were asked for */
     enum status worst;
 };
-
-static volatile sig_atomic_t interrupted;
-
-static void on_interrupt(int signal)
-{
-    (void)signal;
-    interrupted = 1;
-}
 
 static const struct argp_option options[] = {
     {"compare", COMPARE, 0, 0,
@@ -242,10 +234,8 @@ int main(int argc, char **argv)
     static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
     struct arguments a = {.limits = {.digits = DIGITS_LEAST}};
     struct run r = {.a = &a};
-    struct sigaction action = {.sa_handler = on_interrupt};
     argp_parse(&argp, argc, argv, 0, 0, &a);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    interrupt_watch(NULL);
     const bool shows_lines = !a.compare && !a.timing && isatty(STDOUT_FILENO);
     progress_set_quiet(a.quiet || shows_lines);
     progress_begin("truth", 0);

@@ -32,8 +32,9 @@ def expect(ended, status, told=""):
 
 
 def rows(text):
-    """The rows, without the line on the circumstances."""
-    return [row for row in map(json.loads, text.splitlines()) if "environment" not in row]
+    """The rows of a text, or of what a process wrote, without the line on the circumstances."""
+    lines = getattr(text, "stdout", text).splitlines()
+    return [row for row in map(json.loads, lines) if "environment" not in row]
 
 
 def number(a):

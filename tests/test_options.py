@@ -3,7 +3,10 @@
 for all.  Prints TAP."""
 
 import json
+import signal
+import subprocess
 import tempfile
+import time
 from pathlib import Path
 
 from runner import FATLINE, ROOT, expect, fatline, rows, run_tests
@@ -119,6 +122,19 @@ def test_a_limit_on_another_library_is_one():
         return "no other library is known here"
     expect(fatline("solve", "--timeout", 5, "-a", peers[0]["algorithm"], text=LINE), 0)
     return None
+
+
+def test_interruption_has_its_status():
+    """Also while waiting for the next line; what was answered before is written."""
+    for command in ("solve", "truth", "trace"):
+        process = subprocess.Popen([FATLINE, command, *of_one(command)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        process.stdin.write(LINE)
+        process.stdin.flush()
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        shown, _ = process.communicate(input=LINE, timeout=60)
+        assert process.returncode == 130 and shown, (command, process.returncode, shown)
 
 
 def test_bad_data_to_compare():

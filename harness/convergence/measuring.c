@@ -1,30 +1,17 @@
 #include "measuring.h"
 
 #include <errno.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../run/interrupt.h"
 #include "../run/progress.h"
 #include "../run/row.h"
 #include "../run/solving.h"
 
-enum { OK = 0, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
+enum { OK = 0, FAILED = 2, BAD_DATA = 65 };
 enum { ROWS = 512 };
-
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int signal_number)
-{
-    (void)signal_number;
-    interrupted = 1;
-}
-
-bool measuring_is_interrupted(void)
-{
-    return interrupted;
-}
 
 static const struct argp_option options[] = {
     {"algorithm", 'a', "LIST", 0, "names or globs, separated by commas; may be repeated (all)", 0},
@@ -38,6 +25,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &m->cases;
+        state->child_inputs[1] = m;
         return 0;
     case 'a':
         solving_add(state, &m->algorithms, text);
@@ -57,9 +45,14 @@ static error_t parse(int key, char *text, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = {{&selection_argp, 0, 0, 0}, {0, 0, 0, 0}};
-extern const struct argp measuring_argp;
-const struct argp measuring_argp = {options, parse, NULL, NULL, children, NULL, NULL};
+void measuring_read(int argc, char **argv, const struct argp *own, const char *documentation,
+                    struct measuring *m)
+{
+    const struct argp_child children[] = {{&selection_argp, 0, 0, 0}, {own, 0, 0, 0}, {0, 0, 0, 0}};
+    const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
+    if (argp_parse(&argp, argc, argv, 0, NULL, m))
+        exit(64);
+}
 
 bool measuring_problem(const struct test_case *c, real tolerance, int max_steps, struct owned_problem *p)
 {
@@ -121,14 +114,9 @@ static int measure_file(const struct measuring *m, const char *path,
 int measuring_run(const struct measuring *m, int argc, char **argv,
                   bool (*measure)(void *data, struct test_case *c), void *data)
 {
-    struct sigaction action;
     long taken = 0;
     int worst = OK;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = interrupt;
-    action.sa_flags = SA_RESETHAND; /* the second signal ends the program at once */
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    interrupt_watch(NULL);
     if (m->rows)
         row_write(stdout, row_environment(argc, argv, REAL_NAME));
     progress_set_quiet(m->quiet);

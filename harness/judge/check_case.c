@@ -37,20 +37,8 @@ void checker_close(struct checker *k)
     guard_end();
     if (k->options->solving.external)
         external_stop(&k->external);
-    if (k->n > 0)
-        workspace_clear(&k->workspace);
+    fitted_workspace_clear(&k->memory);
     free(k->crossings);
-}
-
-static void fit_workspace(struct checker *k, int n, int m)
-{
-    if (n <= k->n && m <= k->m)
-        return;
-    if (k->n > 0)
-        workspace_clear(&k->workspace);
-    k->n = n > k->n ? n : k->n;
-    k->m = m > k->m ? m : k->m;
-    workspace_make(&k->workspace, k->options->solving.algorithms.at, k->n, k->m, k->options->solving.room);
 }
 
 __attribute__((format(printf, 2, 3))) static void note(json_t *reply, const char *format, ...)
@@ -169,18 +157,19 @@ static double solve(struct checker *k, const struct problem *p, struct answer *a
     double best = HUGE_VAL;
     for (int i = 0; i < (k->options->strict ? 3 : 1) && best > k->slowest; i++) {
         double from = clock_now(false);
-        a->outcome = guard_solve(p, algorithm, &k->workspace, k->crossings);
+        a->outcome = guard_solve(p, algorithm, &k->memory.workspace, k->crossings);
         best = fmin(best, clock_now(false) - from);
     }
     k->slowest = k->options->strict ? fmax(k->slowest, best) : 0;
-    a->steps = k->workspace.steps;
+    a->steps = k->memory.workspace.steps;
     return best;
 }
 
 static void run_algorithms(struct checker *k, const struct test_case *c, const struct problem *p, double tol,
                            json_t *reply)
 {
-    fit_workspace(k, p->f.degree, p->g.degree);
+    workspace_fit(&k->memory, k->options->solving.algorithms.at, p->f.degree, p->g.degree,
+                  k->options->solving.room);
     for (int i = 0; i < k->options->solving.algorithms.count; i++) {
         const struct intersector *algorithm = k->options->solving.algorithms.at[i];
         struct answer a = {c->id, algorithm->name,        (real)tol,   INVALID,
