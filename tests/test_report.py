@@ -5,10 +5,13 @@ import re
 import shutil
 import sys
 import tempfile
+import urllib.parse
+import xml.etree.ElementTree as tree
 from html.parser import HTMLParser
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from runner import ROOT, run_tests
+
 sys.path.insert(0, str(ROOT / "scripts"))
 import report  # noqa: E402
 
@@ -30,7 +33,7 @@ class Page(HTMLParser):
         self.ids += [attributes["id"]] if "id" in attributes else []
         self.links += [attributes[name] for name in ("href", "src") if name in attributes]
         if tag == "caption":
-            self.caption = attributes.get("id", "claims")
+            self.caption = attributes["id"]
             self.rows[self.caption] = -1  # the head
         if tag == "tr" and self.caption:
             self.rows[self.caption] += 1
@@ -62,7 +65,7 @@ def test_page_of_the_committed_results():
     assert len(set(page.ids)) == len(page.ids), "an id twice"
     for link in page.links:
         assert link.startswith("data:") or link[1:] in page.ids, f"leads elsewhere: {link[:60]}"
-    assert page.rows["claims"] == len(claims)
+    assert page.rows["table-claims"] == len(claims)
     for _, _, names, figures in report.CHAPTERS:
         for name in names:
             table = report.read_table(ROOT / f"results/tables/{name}.md")
@@ -81,8 +84,6 @@ def test_no_address_but_namespaces():
 
 def test_figures_are_svg():
     """What is left of a figure after rounding is still well formed."""
-    import urllib.parse
-    import xml.etree.ElementTree as tree
     for _, _, _, figures in report.CHAPTERS:
         for name in figures:
             figure = report.read_figure(name, ROOT / "results/figures")
@@ -139,19 +140,5 @@ def test_a_table_that_is_none():
             raise AssertionError("taken")
 
 
-def main():
-    tests = [(name, test) for name, test in sorted(globals().items()) if name.startswith("test_")]
-    print(f"1..{len(tests)}")
-    failed = 0
-    for number, (name, test) in enumerate(tests, 1):
-        try:
-            test()
-            print(f"ok {number} - {name}", flush=True)
-        except AssertionError as reason:
-            failed += 1
-            print(f"not ok {number} - {name}\n# {reason}", flush=True)
-    return 1 if failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    run_tests(globals())
