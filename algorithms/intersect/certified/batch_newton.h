@@ -268,8 +268,8 @@ LANES_INLINE void mark_ends(struct batch_chunk *z, wide_mask which, wide_mask en
     }
 }
 
-/* With bounds, to the end: h->active loses the lanes without a zero in their nodes; returns those whose zero is
- * proved, within the radii. */
+/* With bounds, to the end: h->active loses the lanes without a zero in their nodes; returns those whose zero
+ * is proved, within the radii. */
 LANES_INLINE wide_mask hunt_end(struct hunt *h, wide *rt, wide *rs)
 {
     enum { ITERATIONS_MAX = 8 };

@@ -1,8 +1,8 @@
 /* Many pairs of parts of one pair of cubics at once.
  *
- * Where two cubics meet often, many parts of them wait to be settled.  With AVX-512 eight such pairs are taken
- * at a time, by the text and with the bounds of batch_kernel.h and batch_newton.h: what in a batch are nodes of
- * many pairs of curves are nodes of one pair here. */
+ * Where two cubics meet often, many parts of them wait to be settled.  With AVX-512 eight such pairs are
+ * taken at a time, by the text and with the bounds of batch_kernel.h and batch_newton.h: what in a batch are
+ * nodes of many pairs of curves are nodes of one pair here. */
 #ifndef FATLINE_CERTIFIED_CROWD_H
 #define FATLINE_CERTIFIED_CROWD_H
 
@@ -10,7 +10,7 @@
 
 enum {
     CROWD_MAX = 64,  /* pairs that may wait */
-    CROWD_FROM = 8,  /* for so many it is worth it */
+    CROWD_FROM = 9,  /* for so many it is worth it */
     CROWD_LEAST = 2, /* that it goes on with */
     CROWD_SLACK = 16
 };

@@ -1,10 +1,13 @@
-/* Eight pairs of parts of one pair of cubics at a time: crowd.h. */
+/* Eight pairs of parts of one pair of cubics at a time: crowd.h.
+ *
+ * Rounding: a node is cut from the curve and halved once before the next round cuts its halves anew, and
+ * lines and parabolas came raised as for a batch: the bounds are those of batch_kernel.h. */
 #if defined(__x86_64__) && !defined(FATLINE_QUAD) && !defined(FATLINE_MULTI)
 
 #define LANES 8
 #include "crowd.h"
 
-#include "batch_newton.h"
+#include "batch_nodes.h"
 
 enum { ROUNDS_OF_CROWD = 8, SOLVES_OF_CROWD = 64 };
 
@@ -22,7 +25,7 @@ struct crossed {
     double bend_f[SOLVES_OF_CROWD + LANES], bend_g[SOLVES_OF_CROWD + LANES];
 };
 
-struct all {
+struct crowd_work {
     struct front *z;
     struct arc f, g; /* the same in each lane */
     wide unit;
@@ -41,7 +44,7 @@ LANES_INLINE void arc_spread(const double x[4], const double y[4], struct arc *o
 /* ---- zeros ---- */
 
 /* LANES of them from number `first` on. */
-LANES_INLINE void hunt_of(const struct all *a, int first, struct hunt *h)
+LANES_INLINE void hunt_of(const struct crowd_work *a, int first, struct hunt *h)
 {
     const struct crossed *q = &a->crossed;
     int count = q->count - first;
@@ -69,7 +72,8 @@ static bool is_near_cut(struct interval node, double t, double radius)
 }
 
 /* false: too much is open */
-LANES_INLINE bool tell(struct all *a, int first, const struct hunt *h, wide_mask proved, wide rt, wide rs)
+LANES_INLINE bool tell(struct crowd_work *a, int first, const struct hunt *h, wide_mask proved, wide rt,
+                       wide rs)
 {
     double t[LANES], s[LANES], radius_t[LANES], radius_s[LANES];
     wide_store(t, h->t);
@@ -78,7 +82,8 @@ LANES_INLINE bool tell(struct all *a, int first, const struct hunt *h, wide_mask
     wide_store(radius_s, rs);
     for (unsigned bits = wide_bits(h->active); bits; bits &= bits - 1) {
         int i = __builtin_ctz(bits);
-        struct interval node_f = span_of_node(a->crossed.f[first + i]), node_g = span_of_node(a->crossed.g[first + i]);
+        struct interval node_f = span_of_node(a->crossed.f[first + i]),
+                        node_g = span_of_node(a->crossed.g[first + i]);
         bool told = wide_bits(proved) >> i & 1 && !is_near_cut(node_f, t[i], radius_t[i]) &&
                     !is_near_cut(node_g, s[i], radius_s[i]) &&
                     front_zero(a->z, t[i], radius_t[i], s[i], radius_s[i]);
@@ -90,7 +95,7 @@ LANES_INLINE bool tell(struct all *a, int first, const struct hunt *h, wide_mask
 }
 
 /* All that wait; false: too much is open. */
-LANES_TARGET static bool solve_crossed(struct all *a)
+LANES_TARGET static bool solve_crossed(struct crowd_work *a)
 {
     enum { STEPS = 7 };
     struct powers p[2];
@@ -115,27 +120,20 @@ LANES_TARGET static bool solve_crossed(struct all *a)
     return true;
 }
 
-/* push_solve of batch_steps.h */
-LANES_INLINE void cross_push(struct crossed *q, wide_mask which, wide code_f, wide code_g, const struct arc *f,
-                             const struct arc *g, const struct cone *c)
+LANES_INLINE void cross_push(struct crossed *q, wide_mask which, wide code_f, wide code_g,
+                             const struct arc *f, const struct arc *g, const struct cone *c)
 {
-    const double up = 1 + 8 * DBL_EPSILON;
-    wide ux = f->x[3] - f->x[0], uy = f->y[3] - f->y[0], vx = g->x[3] - g->x[0], vy = g->y[3] - g->y[0];
-    wide rx = g->x[0] - f->x[0], ry = g->y[0] - f->y[0], det = cross(ux, uy, vx, vy), thrice = 3.0 * c->gap;
-    wide both = 1.0 / (det * thrice), one = both * thrice, k = both * det * up; /* k: 1 / thrice */
-    wide width_f = code_width(code_f), width_g = code_width(code_g);
-    wide times_f = code_times(code_f), times_g = code_times(code_g);
+    struct start start;
+    start_of(code_f, code_g, f, g, c, &start);
     int to = q->count;
     wide_store(q->f + to, wide_pack(which, code_f));
     wide_store(q->g + to, wide_pack(which, code_g));
-    wide_store(q->t + to,
-               wide_pack(which, wide_fma(width_f, cross(rx, ry, vx, vy) * one, code_start(code_f))));
-    wide_store(q->s + to,
-               wide_pack(which, wide_fma(width_g, cross(rx, ry, ux, uy) * one, code_start(code_g))));
-    wide_store(q->reach_t + to, wide_pack(which, c->g.speed * width_f * k));
-    wide_store(q->reach_s + to, wide_pack(which, c->f.speed * width_g * k));
-    wide_store(q->bend_f + to, wide_pack(which, 6 * up * c->f.bend * (times_f * times_f)));
-    wide_store(q->bend_g + to, wide_pack(which, 6 * up * c->g.bend * (times_g * times_g)));
+    wide_store(q->t + to, wide_pack(which, start.t));
+    wide_store(q->s + to, wide_pack(which, start.s));
+    wide_store(q->reach_t + to, wide_pack(which, start.reach_t));
+    wide_store(q->reach_s + to, wide_pack(which, start.reach_s));
+    wide_store(q->bend_f + to, wide_pack(which, start.bend_f));
+    wide_store(q->bend_g + to, wide_pack(which, start.bend_g));
     q->count += __builtin_popcount(wide_bits(which));
 }
 
@@ -148,38 +146,8 @@ LANES_INLINE void node_push(struct nodes *to, wide_mask which, wide code_f, wide
     to->count += __builtin_popcount(wide_bits(which));
 }
 
-LANES_INLINE void select_arc(wide_mask m, const struct arc *yes, const struct arc *no, struct arc *out)
-{
-#pragma GCC unroll 4
-    for (int i = 0; i < 4; i++) {
-        out->x[i] = wide_select(m, yes->x[i], no->x[i]);
-        out->y[i] = wide_select(m, yes->y[i], no->y[i]);
-    }
-}
-
-/* push_halves of batch_steps.h */
-LANES_INLINE void halves_push(struct nodes *to, wide_mask which, wide code_f, wide code_g, wide unit,
-                              const struct arc *f, const struct arc *g, const struct cone *c)
-{
-    struct arc longer, other, half[2];
-    struct octagon part, beside;
-    wide_mask is_g = wide_less(c->f.bend, c->g.bend);
-    select_arc(is_g, g, f, &longer);
-    select_arc(is_g, f, g, &other);
-    halve(&longer, &half[0], &half[1]);
-    octagon_of(&other, &beside);
-#pragma GCC unroll 2
-    for (int k = 0; k < 2; k++) {
-        octagon_of(&half[k], &part);
-        wide_mask meet = which & ~octagons_apart(&part, &beside, unit);
-        wide child_f = wide_select(is_g, code_f, wide_fma(code_f, wide_of(2), wide_of(k)));
-        wide child_g = wide_select(is_g, wide_fma(code_g, wide_of(2), wide_of(k)), code_g);
-        node_push(to, meet, child_f, child_g);
-    }
-}
-
 /* LANES nodes from number `first` on. */
-LANES_INLINE void nodes_settle(struct all *a, const struct nodes *from, int first, struct nodes *to)
+LANES_INLINE void nodes_settle(struct crowd_work *a, const struct nodes *from, int first, struct nodes *to)
 {
     struct arc part_f, part_g;
     struct cone c;
@@ -194,13 +162,16 @@ LANES_INLINE void nodes_settle(struct all *a, const struct nodes *from, int firs
         cross_push(&a->crossed, single, code_f, code_g, &part_f, &part_g, &c);
     }
     if (wide_bits(rest)) {
-        halves_push(to, rest, code_f, code_g, a->unit, &part_f, &part_g, &c);
+        struct halved h;
+        halve_longer(code_f, code_g, a->unit, &part_f, &part_g, &c, &h);
+        node_push(to, rest & h.meet[0], h.f[0], h.g[0]);
+        node_push(to, rest & h.meet[1], h.f[1], h.g[1]);
     }
 }
 
 LANES_TARGET bool crowd_settle_avx512(struct crowd *c, struct front *z, int last_step)
 {
-    struct all a;
+    struct crowd_work a;
     struct nodes list[2];
     int now = 0;
     a.z = z;

@@ -104,8 +104,9 @@ enum front_answer front_close(const struct front *z, bool swapped, struct worksp
 }
 
 /* Not in line: pairs of cubics are not to pay for it. */
-__attribute__((noinline)) static enum front_answer front_of_any(const struct problem *p, struct workspace *w,
-                                                                struct crossings *out, struct rest *rest)
+__attribute__((noinline)) static enum front_answer front_of_any(bool many, const struct problem *p,
+                                                                struct workspace *w, struct crossings *out,
+                                                                struct rest *rest)
 {
     struct front z;
     if (!front_is_plain(p) || p->f.degree < 1 || p->g.degree < 1 || p->f.degree > DEGREE_MAX ||
@@ -113,6 +114,7 @@ __attribute__((noinline)) static enum front_answer front_of_any(const struct pro
         return FRONT_REFUSED;
     }
     bool swapped = front_open(&z, p, out, rest);
+    z.many &= many;
     z.scratch = w->scratch;
     z.scratch_length = w->scratch_length;
     return front_run(&z) ? front_close(&z, swapped, w) : FRONT_REFUSED;
@@ -126,14 +128,29 @@ enum front_answer front_of_certified(const struct problem *p, struct workspace *
         return front_cubics_avx2(p, w, out, rest);
     }
 #endif
-    return front_of_any(p, w, out, rest);
+    return front_of_any(true, p, w, out, rest);
 }
 
-bool front_of_prepared(const struct problem *p, struct workspace *w, struct crossings *out, struct rest *rest)
+enum front_answer front_of_certified_avx2(const struct problem *p, struct workspace *w, struct crossings *out,
+                                          struct rest *rest)
 {
-    struct front z = {
-        &p->f, &p->g,      p->bounds.tolerance_t, p->bounds.tolerance_s, w->steps, p->max_steps, out,
-        rest,  has_many(), w->scratch, w->scratch_length};
+    return front_of_any(false, p, w, out, rest);
+}
+
+bool front_of_prepared(bool many, const struct problem *p, struct workspace *w, struct crossings *out,
+                       struct rest *rest)
+{
+    struct front z = {&p->f,
+                      &p->g,
+                      p->bounds.tolerance_t,
+                      p->bounds.tolerance_s,
+                      w->steps,
+                      p->max_steps,
+                      out,
+                      rest,
+                      many && has_many(),
+                      w->scratch,
+                      w->scratch_length};
     rest->count = 0;
     if (p->f.w || p->g.w || !front_run(&z)) {
         return false;
