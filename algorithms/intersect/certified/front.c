@@ -125,7 +125,7 @@ enum front_answer front_of_certified(const struct problem *p, struct workspace *
 {
 #ifdef FATLINE_AVX2
     if (p->f.degree == 3 && p->g.degree == 3 && has_avx2()) {
-        return front_cubics_avx2(p, w, out, rest);
+        return front_cubics(p, w, out, rest);
     }
 #endif
     return front_of_any(true, p, w, out, rest);
@@ -134,6 +134,11 @@ enum front_answer front_of_certified(const struct problem *p, struct workspace *
 enum front_answer front_of_certified_avx2(const struct problem *p, struct workspace *w, struct crossings *out,
                                           struct rest *rest)
 {
+#ifdef FATLINE_AVX2
+    if (p->f.degree == 3 && p->g.degree == 3 && has_avx2()) {
+        return front_cubics_avx2(p, w, out, rest);
+    }
+#endif
     return front_of_any(false, p, w, out, rest);
 }
 

@@ -118,6 +118,8 @@ FATLINE_AVX2 bool front_cubic_avx2(struct front *z); /* degrees 1 to 3 */
 FATLINE_AVX2 bool front_any_avx2(struct front *z);   /* any; it needs scratch */
 size_t front_any_scratch(int n, int m);              /* so many numbers */
 /* The front of `certified` for two cubics: pairs that are apart cost little more than reading them. */
+FATLINE_AVX2 enum front_answer front_cubics(const struct problem *p, struct workspace *w,
+                                            struct crossings *out, struct rest *rest);
 FATLINE_AVX2 enum front_answer front_cubics_avx2(const struct problem *p, struct workspace *w,
                                                  struct crossings *out, struct rest *rest);
 #endif
