@@ -172,7 +172,7 @@ AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
 .PHONY: all tests check check-full setup setup-build setup-check setup-reproduce reproduce figures claims peers-table \
-        peers-contacts certified-masses regions paths speed comparisons trials instructions against-lib2geom fuzz format clean help
+        peers-contacts certified-masses regions paths speed comparisons report trials instructions against-lib2geom fuzz format clean help
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
 
@@ -215,6 +215,9 @@ regions: build/double/fatline-region ## judge random regions and time regions (1
 
 speed: all ## time `certified` beside its portable engine and two libraries, family by family (10 minutes, on a quiet machine)
 	@$(PYTHON) scripts/speed
+
+report: ## write results/report.html: claims, tables and figures on one page
+	@$(PYTHON) scripts/report.py
 
 comparisons: ## profiles, growth, accuracy, every two algorithms, from results/raw/
 	@$(PYTHON) scripts/comparisons.py
