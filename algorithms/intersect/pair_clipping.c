@@ -85,31 +85,16 @@ static enum outcome solve(const struct problem *p, struct workspace *w, struct c
     return solve_by_shrinking(p, w, out, step, may_meet, LONGER_ARC);
 }
 
-#define PAIR(k_, what)                                                                                       \
-    static int shrink_##k_(const struct problem *p, const struct workspace *w, struct cell *c,               \
-                           struct piece piece[PIECES_MAX])                                                   \
-    {                                                                                                        \
-        return shrink(k_, p, w, c, piece);                                                                   \
-    }                                                                                                        \
-    static enum outcome intersect_##k_(const struct problem *p, struct workspace *w, struct crossings *out)  \
-    {                                                                                                        \
-        return solve(p, w, out, k_, shrink_##k_);                                                            \
-    }                                                                                                        \
-    static size_t scratch_##k_(int n, int m)                                                                 \
-    {                                                                                                        \
-        return (size_t)(n + m + 2) * (size_t)(k_ * (k_ + 3));                                                \
-    }                                                                                                        \
-    extern const struct intersector pair_clipping_##k_;                                                      \
-    const struct intersector pair_clipping_##k_ = {                                                          \
-        .name = "pair_clipping_" #k_,                                                                        \
-        .summary = what,                                                                                     \
-        .reference = "fatline; relatives: Krawczyk 1969, Juttler and Moore 2011",                            \
-        .claimed = {k_ + 1, 1, 0, 0},                                                                        \
-        .intersect = intersect_##k_,                                                                         \
-        .scratch = scratch_##k_,                                                                             \
-        .points_only = false,                                                                                \
-    };
+static size_t scratch(int k, int n, int m)
+{
+    return (size_t)(n + m + 2) * (size_t)(k * (k + 3));
+}
 
-PAIR(1, "both curves as fat curves of degree 1, preconditioned; boxes proved unique")
-PAIR(2, "both curves as fat curves of degree 2, preconditioned; boxes proved unique")
-PAIR(3, "both curves as fat curves of degree 3, preconditioned; boxes proved unique")
+#define PAIR(k_)                                                                                             \
+    CELL_METHOD(pair_clipping, k_,                                                                           \
+                "both curves as fat curves of degree " #k_ ", preconditioned; boxes proved unique",          \
+                "fatline; relatives: Krawczyk 1969, Juttler and Moore 2011", k_ + 1, 1, 0, 0)
+
+PAIR(1)
+PAIR(2)
+PAIR(3)
