@@ -179,6 +179,13 @@ static inline void cell_halve_g(const struct problem *p, struct cell *c, struct 
     cell_cut_g(p, c);
 }
 
+/* By boxes along both arcs' chords: what is asked of a cell before it becomes a record. */
+static inline bool cell_arcs_may_meet(const struct problem *p, const struct cell *c)
+{
+    struct arc f = cell_f(p, c), g = cell_g(p, c);
+    return arc_oriented_boxes_meet(&f, &g, p->bounds.scale);
+}
+
 /* ---- the stack ---- */
 
 static inline bool cell_is_narrow(const struct problem *p, const struct cell *c)

@@ -66,12 +66,6 @@ static inline ALWAYS_INLINE int shrink(int k, const struct problem *p, const str
     return c->proved && box.at_floor ? ACCEPT : HALVE;
 }
 
-static bool may_meet(const struct problem *p, const struct cell *c)
-{
-    struct arc f = cell_f(p, c), g = cell_g(p, c);
-    return arc_oriented_boxes_meet(&f, &g, p->bounds.scale);
-}
-
 static enum outcome solve(const struct problem *p, struct workspace *w, struct crossings *out, int k,
                           shrink_function *step)
 {
@@ -82,7 +76,7 @@ static enum outcome solve(const struct problem *p, struct workspace *w, struct c
         reduction_init(&unused, n, d, memory);
         memory += reduction_length(n, d);
     }
-    return solve_by_shrinking(p, w, out, step, may_meet, LONGER_ARC);
+    return solve_by_shrinking(p, w, out, step, cell_arcs_may_meet, LONGER_ARC);
 }
 
 static size_t scratch(int k, int n, int m)
