@@ -37,7 +37,7 @@ REAL_MODULES   = real_text problem case_set algorithms_named guard external solv
                  planted_roots measuring path order_measure lemma_reduction lemma_cut \
                  region_problem region_answer region_check region_check_expected region_check_sample \
                  region_check_agree region_sample region_options region_time \
-                 path_set path_random path_svg path_arc path_read path_job path_rows path_options path_boxes \
+                 path_set path_random path_svg path_arc path_read path_write path_job path_rows path_options path_boxes \
                  path_timing
 
 ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c algorithms/intersect/*/*.c algorithms/curvature/*.c algorithms/paths/*.c)
