@@ -1,0 +1,381 @@
+/* fatline_paths gives the records of `fatline paths`, bit for bit, in one call or in several with little
+ * memory; what is no path is called so, with its segment, and nothing is written but where it should be. */
+#include <math.h>
+#include <string.h>
+
+#include "library_paths.h"
+
+static const volatile int never = 0;
+
+/* ---- the same as the program ---- */
+
+static bool same_span(const struct fatline_path_span *s, const struct path_span *p)
+{
+    return s->first == p->first && s->last == p->last && s->lo == p->lo && s->hi == p->hi;
+}
+
+static bool same_overlap(const struct fatline_path_overlap *o, const struct path_overlap *p)
+{
+    return o->a_inner_lo == p->a_inner.lo && o->a_inner_hi == p->a_inner.hi &&
+           o->b_inner_lo == p->b_inner.lo && o->b_inner_hi == p->b_inner.hi && o->distance == p->distance &&
+           o->reversed == p->reversed;
+}
+
+static bool same_record(const struct fatline_paths_answer *a, int i, const struct path_records *all)
+{
+    static const enum fatline_standing standing[] = {FATLINE_CANDIDATE, FATLINE_UNIQUE, FATLINE_END,
+                                                     FATLINE_CLUSTER};
+    const struct fatline_path_crossing *c = &a->crossing[i];
+    const struct path_record *r = &all->at[all->order[i]];
+    if ((c->overlap >= 0) != (r->overlap >= 0) ||
+        (c->overlap >= 0 && !same_overlap(&a->overlap[c->overlap], &all->overlap[r->overlap])))
+        return false;
+    return same_span(&c->a, &r->a) && same_span(&c->b, &r->b) && c->standing == standing[r->standing] &&
+           (c->standing == FATLINE_CANDIDATE || c->at_most == r->at_most) && c->joint == r->joint &&
+           c->chain == r->chain;
+}
+
+static bool same_answer(const struct fatline_paths_answer *a, const struct path_job *job)
+{
+    const struct path_records *all = &job->records;
+    bool same = a->count == all->count && a->overlaps == all->overlaps && a->open == job->solver.unsolved;
+    for (int i = 0; same && i < a->count; i++)
+        same = same_record(a, i, all);
+    return same;
+}
+
+/* The program's answer; b: NULL for a with itself. */
+static void job_of(struct path_job *job, struct path_set *set, struct both *a, struct both *b)
+{
+    path_draft_end(&a->draft, set);
+    if (b)
+        path_draft_end(&b->draft, set);
+    path_job_make(job, &set->at[0], b ? &set->at[1] : NULL, 1e-10, STEPS_MAX);
+    assert_true(path_job_run(job, &never));
+}
+
+static enum fatline_outcome solve(struct run *z, const struct fatline_path *a, const struct fatline_path *b)
+{
+    enum fatline_outcome o = fatline_paths(z->w, a, b, NULL, 0, &z->a);
+    assert_null(z->a.error);
+    assert_true(o == (z->a.open > 0 ? FATLINE_OUT_OF_STEPS : FATLINE_SOLVED));
+    return o;
+}
+
+struct tally {
+    int records, overlaps, joints, chains, ends;
+};
+
+static void check_same(struct both *a, struct both *b, struct tally *sum)
+{
+    struct path_set set = {0, 0, NULL};
+    struct path_job job;
+    struct run z;
+    job_of(&job, &set, a, b);
+    run_init(&z, &a->path, b ? &b->path : NULL, (int)job.found);
+    solve(&z, &a->path, b ? &b->path : NULL);
+    if (!same_answer(&z.a, &job))
+        fail_msg("%d and %d segments: the library has other records (%d, expected %d)", a->path.count,
+                 b ? b->path.count : 0, z.a.count, job.records.count);
+    for (int i = 0; i < z.a.count; i++) {
+        sum->joints += z.a.crossing[i].joint;
+        sum->chains += z.a.crossing[i].chain > 0;
+        sum->ends += z.a.crossing[i].standing == FATLINE_END;
+    }
+    sum->records += z.a.count;
+    sum->overlaps += z.a.overlaps;
+    run_clear(&z);
+    path_job_clear(&job);
+    path_set_clear(&set);
+}
+
+static void same_as_the_program(void **state)
+{
+    (void)state;
+    static const int counts[] = {100, 1000};
+    for (int k = 0; k < 4; k++) {
+        struct tally sum = {0, 0, 0, 0, 0};
+        struct both a, b;
+        both_init(&a);
+        both_init(&b);
+        add_walk(&a, counts[k / 2], (uint64_t)k, 0);
+        add_walk(&b, counts[k / 2], (uint64_t)k, 1);
+        a.path.weights = b.path.weights = NULL; /* cubics without weights need neither array */
+        a.path.degree = b.path.degree = NULL;
+        check_same(&a, k % 2 ? &b : NULL, &sum);
+        assert_true(sum.records > counts[k / 2] / 5);
+        both_clear(&a);
+        both_clear(&b);
+    }
+}
+
+/* All degrees, weights, joints, and the same segments again the other way round. */
+static void mixed_paths(void **state)
+{
+    (void)state;
+    struct tally sum = {0, 0, 0, 0, 0};
+    for (int run = 0; run < 60; run++) {
+        struct random_state r = random_for(71, "library_paths", (uint64_t)run);
+        struct both a, b;
+        both_init(&a);
+        both_init(&b);
+        add_chain(&a, &r, (int)random_between(&r, 1, 40), run % 10 ? 5 : 32, run % 2, run % 3 == 0);
+        add_chain(&b, &r, (int)random_between(&r, 1, 40), 4, run % 4 == 1, run % 3 == 1);
+        for (int i = 0; run % 5 == 0 && i < a.path.count; i++)
+            add_reversed(&b, &a, i);
+        check_same(&a, run % 3 == 2 ? NULL : &b, &sum);
+        both_clear(&a);
+        both_clear(&b);
+    }
+    assert_true(sum.records > 1000 && sum.overlaps > 5 && sum.ends > 0);
+}
+
+/* Two squares end to end in one array: each is closed for itself. */
+static void subpaths_are_apart(void **state)
+{
+    (void)state;
+    const double corner_x[] = {0, 4, 4, 0, 0}, corner_y[] = {0, 0, 4, 4, 0};
+    static const int begin[] = {0, 4};
+    struct both a;
+    struct run z;
+    both_init(&a);
+    for (int i = 0; i < 8; i++) {
+        double x[2], y[2];
+        for (int k = 0; k < 2; k++) {
+            x[k] = corner_x[i % 4 + k] + i / 4;
+            y[k] = corner_y[i % 4 + k] + i / 4;
+        }
+        add(&a, 1, x, y, NULL);
+    }
+    a.path.subpaths = 2;
+    a.path.subpath = begin;
+    run_init(&z, &a.path, NULL, 10);
+    assert_int_equal(solve(&z, &a.path, NULL), FATLINE_SOLVED);
+    assert_int_equal(z.a.count, 2);
+    for (int i = 0; i < 2; i++)
+        assert_int_equal(z.a.crossing[i].standing, FATLINE_UNIQUE);
+    a.path.subpath = NULL; /* now the corners where they began and ended are told */
+    assert_int_equal(solve(&z, &a.path, NULL), FATLINE_SOLVED);
+    assert_int_equal(z.a.count, 4);
+    run_clear(&z);
+    both_clear(&a);
+}
+
+/* ---- little memory ---- */
+
+/* Each of `copies` segments meets each of the other path in nine places, or in an arc. */
+static void add_copies(struct both *z, int copies, bool across, bool arcs)
+{
+    const double along[4] = {-1, -1.0 / 3, 1.0 / 3, 1}, swing[4] = {-9, 45, -45, 9};
+    for (int k = 0; k < copies; k++) {
+        double s[4], x[2] = {k / 4096.0, 1}, y[2] = {0, 0};
+        for (int i = 0; i < 4; i++)
+            s[i] = swing[i] / 8 + k / 4096.0;
+        if (arcs)
+            add(z, 1, x, y, NULL);
+        else
+            add(z, 3, across ? s : along, across ? along : s, NULL);
+    }
+}
+
+static void memory_may_grow(void **state)
+{
+    (void)state;
+    for (int arcs = 0; arcs < 2; arcs++) {
+        struct path_set set = {0, 0, NULL};
+        struct path_job job;
+        struct both a, b;
+        struct run z;
+        both_init(&a);
+        both_init(&b);
+        add_copies(&a, arcs ? 70 : 40, false, arcs);
+        add_copies(&b, arcs ? 70 : 40, true, arcs);
+        job_of(&job, &set, &a, &b);
+        run_init(&z, &a.path, &b.path, 0);
+        int calls = 0, records = 0;
+        enum fatline_outcome o = fatline_paths(z.w, &a.path, &b.path, NULL, 0, &z.a);
+        while (o == FATLINE_OUT_OF_ROOM) {
+            long long done = z.a.done;
+            assert_true(!z.a.error && z.a.count == 0 && !z.a.crossing);
+            o = fatline_paths(z.w, NULL, NULL, NULL, done + 1, &z.a); /* not where it stopped */
+            assert_int_equal(o, FATLINE_INVALID);
+            assert_non_null(strstr(z.a.error, "first"));
+            run_grow(&z, fatline_paths_memory_size(&a.path, &b.path, records += 1 + records / 2));
+            o = fatline_paths(z.w, NULL, NULL, NULL, done, &z.a);
+            assert_true(z.a.done >= done);
+            calls++;
+        }
+        assert_int_equal(o, FATLINE_SOLVED);
+        assert_true(calls > 5 && same_answer(&z.a, &job));
+        assert_int_equal(fatline_paths(z.w, &a.path, &b.path, NULL, z.a.done, &z.a), FATLINE_INVALID);
+        run_clear(&z);
+        path_job_clear(&job);
+        path_set_clear(&set);
+        both_clear(&a);
+        both_clear(&b);
+    }
+}
+
+/* ---- what is no path ---- */
+
+static void expect_error(struct run *z, const struct fatline_path *a, const struct fatline_path *b,
+                         const struct fatline_options *o, const char *error, int segment)
+{
+    memset(z->memory, 0x33, z->a.size);
+    assert_int_equal(fatline_paths(z->w, a, b, o, 0, &z->a), FATLINE_INVALID);
+    assert_true(z->a.count == 0 && z->a.overlaps == 0 && z->a.done == 0);
+    assert_int_equal(z->a.segment, segment);
+    if (!z->a.error || !strstr(z->a.error, error))
+        fail_msg("\"%s\" does not say \"%s\"", z->a.error ? z->a.error : "", error);
+    for (size_t i = 0; i < z->a.size; i++)
+        if (z->memory[i] != 0x33)
+            fail_msg("byte %zu of the memory was written", i);
+}
+
+static void bad_numbers(void **state)
+{
+    (void)state;
+    static const double none[] = {NAN, INFINITY, -INFINITY};
+    struct random_state r = random_for(72, "library_paths", 0);
+    struct both a, b;
+    struct run z;
+    both_init(&a);
+    both_init(&b);
+    add_chain(&a, &r, 9, 5, true, false);
+    add_chain(&b, &r, 7, 3, false, false);
+    run_init(&z, &a.path, &b.path, 100);
+    size_t at = 0;
+    for (int i = 0; i < a.path.count; i++) {
+        size_t k = at + (size_t)random_between(&r, 0, a.degree[i]), y = 2 * k + 1;
+        double point = a.points[y], weight = a.weights[k];
+        a.points[y] = none[i % 3];
+        expect_error(&z, &a.path, &b.path, NULL, "coordinate of the first path", i);
+        expect_error(&z, &b.path, &a.path, NULL, "coordinate of the second path", i);
+        a.points[y] = point;
+        a.weights[k] = i % 2 ? 0 : none[i % 3];
+        expect_error(&z, &a.path, &b.path, NULL, "weight of the first path", i);
+        a.weights[k] = weight * 0x1p257 * 16;
+        expect_error(&z, &a.path, NULL, NULL, "weights of a segment of the first path", i);
+        a.weights[k] = weight * 1.5;
+        a.points[y] = 0x1p1001;
+        expect_error(&z, &a.path, NULL, NULL, "2^1000", i);
+        a.points[y] = point;
+        a.weights[k] = weight;
+        for (int bad = 0; bad < 2; bad++) {
+            unsigned char degree = a.degree[i];
+            a.degree[i] = bad ? 33 : 0;
+            expect_error(&z, &b.path, &a.path, NULL, "degree of a segment of the second path", i);
+            assert_int_equal(fatline_paths_workspace_size(&a.path, NULL), 0);
+            assert_int_equal(fatline_paths_memory_size(&b.path, &a.path, 1), 0);
+            a.degree[i] = degree;
+        }
+        at += (size_t)a.degree[i] + 1;
+    }
+    assert_int_equal(solve(&z, &a.path, &b.path), FATLINE_SOLVED);
+    run_clear(&z);
+    both_clear(&a);
+    both_clear(&b);
+}
+
+static void mistakes_are_told(void **state)
+{
+    (void)state;
+    static const int wrong[][2] = {{1, 2}, {0, 0}, {0, 8}, {0, -1}};
+    const struct fatline_options tolerance = {NAN, 0}, steps = {0, -1};
+    struct random_state r = random_for(73, "library_paths", 0);
+    struct both a;
+    struct run z;
+    both_init(&a);
+    add_chain(&a, &r, 8, 3, false, false);
+    run_init(&z, &a.path, NULL, 100);
+    struct fatline_path p = a.path;
+    expect_error(&z, NULL, NULL, NULL, "first path or its points are missing", -1);
+    expect_error(&z, &p, NULL, &tolerance, "tolerance", -1);
+    expect_error(&z, &p, NULL, &steps, "max_steps", -1);
+    expect_error(&z, &p, &p, NULL, "workspace is too small", -1);
+    for (int k = 0; k < 4; k++) {
+        p.subpath = wrong[k];
+        p.subpaths = 2;
+        expect_error(&z, &p, NULL, NULL, "subpaths", -1);
+    }
+    p.subpaths = 0;
+    expect_error(&z, &p, NULL, NULL, "subpaths", -1);
+    p = a.path;
+    p.count = -1;
+    expect_error(&z, &p, NULL, NULL, "negative", -1);
+    p = a.path;
+    p.points = NULL;
+    expect_error(&z, &p, NULL, NULL, "missing", -1);
+    assert_int_equal(fatline_paths(z.w, &a.path, NULL, NULL, 7, &z.a), FATLINE_INVALID);
+    assert_non_null(strstr(z.a.error, "first"));
+    z.a.memory = NULL;
+    assert_int_equal(fatline_paths(z.w, &a.path, NULL, NULL, 0, &z.a), FATLINE_INVALID);
+    assert_non_null(strstr(z.a.error, "memory"));
+    z.a.memory = z.memory + 4;
+    assert_int_equal(fatline_paths(z.w, &a.path, NULL, NULL, 0, &z.a), FATLINE_INVALID);
+    z.a.memory = z.memory;
+    size_t size = z.a.size;
+    for (z.a.size = 0; z.a.size < 1000000; z.a.size += 99999)
+        assert_int_equal(fatline_paths(z.w, &a.path, NULL, NULL, 0, &z.a), FATLINE_OUT_OF_ROOM);
+    z.a.size = size;
+    p.count = 0;
+    assert_true(solve(&z, &p, NULL) == FATLINE_SOLVED && z.a.count == 0);
+    run_clear(&z);
+    both_clear(&a);
+}
+
+static void memory_is_checked(void **state)
+{
+    (void)state;
+    struct both a;
+    both_init(&a);
+    add_walk(&a, 1000, 1, 0);
+    a.path.weights = NULL;
+    size_t size = fatline_paths_workspace_size(&a.path, NULL);
+    char *memory = (char *)malloc(size);
+    assert_true(size < 2500000 + 1000 * 200);
+    assert_true(fatline_paths_memory_size(&a.path, NULL, 1000) < 2000000 + 1000 * (12 + 200));
+    assert_true(fatline_paths_memory_size(&a.path, NULL, -1) == 0);
+    assert_null(fatline_paths_workspace_init(NULL, size));
+    assert_null(fatline_paths_workspace_init(memory + 4, size));
+    assert_null(fatline_paths_workspace_init(memory, 1000));
+    assert_non_null(fatline_paths_workspace_init(memory, size));
+    free(memory);
+    both_clear(&a);
+}
+
+/* Negative control: a point moved by its last bit is another answer. */
+static void others_are_other(void **state)
+{
+    (void)state;
+    struct path_set set = {0, 0, NULL};
+    struct path_job job;
+    struct both a;
+    struct run z;
+    both_init(&a);
+    add_walk(&a, 200, 5, 0);
+    job_of(&job, &set, &a, NULL);
+    run_init(&z, &a.path, NULL, 1000);
+    solve(&z, &a.path, NULL);
+    assert_true(same_answer(&z.a, &job));
+    int segment = z.a.crossing[0].a.first;
+    a.points[8 * segment + 2] = nextafter(a.points[8 * segment + 2], 2);
+    a.points[8 * segment + 3] = nextafter(a.points[8 * segment + 3], 2);
+    solve(&z, &a.path, NULL);
+    assert_false(same_answer(&z.a, &job));
+    run_clear(&z);
+    path_job_clear(&job);
+    path_set_clear(&set);
+    both_clear(&a);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(same_as_the_program), cmocka_unit_test(mixed_paths),
+        cmocka_unit_test(subpaths_are_apart),  cmocka_unit_test(memory_may_grow),
+        cmocka_unit_test(bad_numbers),         cmocka_unit_test(mistakes_are_told),
+        cmocka_unit_test(memory_is_checked),   cmocka_unit_test(others_are_other),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
