@@ -161,6 +161,88 @@ static void subpaths_are_apart(void **state)
     both_clear(&a);
 }
 
+/* ---- scales ---- */
+
+/* Where line i of a meets line j of b, with 113 bits. */
+static bool lines_meet(const struct both *a, int i, const struct both *b, int j, __float128 *t, __float128 *s)
+{
+    const double *p = a->points + 4 * i, *q = b->points + 4 * j;
+    __float128 ux = (__float128)p[2] - p[0], uy = (__float128)p[3] - p[1], vx = (__float128)q[2] - q[0],
+               vy = (__float128)q[3] - q[1], rx = (__float128)q[0] - p[0], ry = (__float128)q[1] - p[1];
+    __float128 det = ux * vy - uy * vx;
+    *t = (rx * vy - ry * vx) / det;
+    *s = (rx * uy - ry * ux) / det;
+    return *t >= 0 && *t <= 1 && *s >= 0 && *s <= 1;
+}
+
+static bool span_has(const struct fatline_path_span *c, int segment, __float128 t)
+{
+    const __float128 pad = 1e-25;
+    return (segment != c->first || t >= c->lo - pad) && (segment != c->last || t <= c->hi + pad);
+}
+
+/* Does a UNIQUE hold a point that the lines have in common? */
+static bool is_true(const struct both *a, const struct both *b, const struct fatline_path_crossing *c)
+{
+    __float128 t, s;
+    for (int k = 0; k < 4; k++) {
+        int i = k & 1 ? c->a.last : c->a.first, j = k & 2 ? c->b.last : c->b.first;
+        if (lines_meet(a, i, b, j, &t, &s) && span_has(&c->a, i, t) && span_has(&c->b, j, s))
+            return true;
+    }
+    return false;
+}
+
+/* A corner of a, and a line, or a corner of b, through it but for some of the last bits. */
+static void add_corners(struct both *a, struct both *b, struct random_state *r, double scale)
+{
+    double x[3], y[3], u[3], v[3], dx = prop_dyadic(r, 20), dy = prop_dyadic(r, 20);
+    for (int i = 0; i < 3; i++) {
+        x[i] = prop_dyadic(r, 52) * scale;
+        y[i] = prop_dyadic(r, 52) * scale;
+    }
+    double off = ldexp((double)random_between(r, -40, 40), -54) * scale;
+    u[0] = x[1] + off + dx * scale;
+    v[0] = y[1] + dy * scale;
+    u[1] = random_bits(r) & 1 ? x[1] + off : x[1] + off - dx / 2 * scale;
+    v[1] = u[1] == x[1] + off ? y[1] : y[1] - dy / 2 * scale;
+    u[2] = u[1] - dx * scale;
+    v[2] = v[1] - dy * (1 + prop_dyadic(r, 3)) * scale;
+    for (int i = 0; i < 2; i++) {
+        add(a, 1, x + i, y + i, NULL);
+        add(b, 1, u + i, v + i, NULL);
+    }
+}
+
+static void joints_at_all_scales(void **state)
+{
+    (void)state;
+    static const int exponents[] = {0, -1000, -600, -540, -532, -500, 480, 500, 520, 540, 700, 990};
+    int at_joints[2] = {0, 0}, unique = 0;
+    for (int run = 0; run < 6000; run++) {
+        struct random_state r = random_for(74, "library_paths", (uint64_t)run / 12);
+        struct both a, b;
+        struct run z;
+        both_init(&a);
+        both_init(&b);
+        add_corners(&a, &b, &r, ldexp(1, exponents[run % 12]));
+        run_init(&z, &a.path, &b.path, 0);
+        solve(&z, &a.path, &b.path);
+        for (int i = 0; i < z.a.count; i++) {
+            const struct fatline_path_crossing *c = &z.a.crossing[i];
+            at_joints[run % 12 > 0] += c->a.first != c->a.last || c->b.first != c->b.last;
+            unique += c->standing == FATLINE_UNIQUE;
+            if (c->standing == FATLINE_UNIQUE && !is_true(&a, &b, c))
+                fail_msg("run %d, scale 2^%d: record %d is UNIQUE and holds nothing", run,
+                         exponents[run % 12], i);
+        }
+        run_clear(&z);
+        both_clear(&a);
+        both_clear(&b);
+    }
+    assert_true(at_joints[0] > 100 && at_joints[1] > 1000 && unique > 500);
+}
+
 /* ---- little memory ---- */
 
 /* Each of `copies` segments meets each of the other path in nine places, or in an arc. */
@@ -373,9 +455,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(same_as_the_program), cmocka_unit_test(mixed_paths),
-        cmocka_unit_test(subpaths_are_apart),  cmocka_unit_test(memory_may_grow),
-        cmocka_unit_test(bad_numbers),         cmocka_unit_test(mistakes_are_told),
-        cmocka_unit_test(memory_is_checked),   cmocka_unit_test(others_are_other),
+        cmocka_unit_test(subpaths_are_apart),  cmocka_unit_test(joints_at_all_scales),
+        cmocka_unit_test(memory_may_grow),     cmocka_unit_test(bad_numbers),
+        cmocka_unit_test(mistakes_are_told),   cmocka_unit_test(memory_is_checked),
+        cmocka_unit_test(others_are_other),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
