@@ -168,4 +168,13 @@ static inline void run_clear(struct run *z)
     free(z->memory);
 }
 
+static inline enum fatline_outcome solve(struct run *z, const struct fatline_path *a,
+                                         const struct fatline_path *b)
+{
+    enum fatline_outcome o = fatline_paths(z->w, a, b, NULL, 0, &z->a);
+    assert_null(z->a.error);
+    assert_true(o == (z->a.open > 0 ? FATLINE_OUT_OF_STEPS : FATLINE_SOLVED));
+    return o;
+}
+
 #endif
