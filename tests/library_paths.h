@@ -23,7 +23,7 @@ struct both {
     struct path_draft draft;
 };
 
-enum { SEGMENTS_MAX = 1100, POINTS_MAX = (DEGREE_MAX + 1) * (int)SEGMENTS_MAX };
+enum { SEGMENTS_MAX = 20000, POINTS_MAX = 5 * (int)SEGMENTS_MAX };
 
 static inline void both_init(struct both *z)
 {
@@ -41,7 +41,7 @@ static inline void both_init(struct both *z)
 static inline void add(struct both *z, int degree, const double *x, const double *y, const double *w)
 {
     double wx[DEGREE_MAX + 1], wy[DEGREE_MAX + 1];
-    assert_true(z->path.count < SEGMENTS_MAX);
+    assert_true(z->path.count < SEGMENTS_MAX && z->used < POINTS_MAX - DEGREE_MAX);
     for (int i = 0; i <= degree; i++) {
         z->points[2 * z->used] = x[i];
         z->points[2 * z->used + 1] = y[i];

@@ -12,7 +12,8 @@ import tempfile
 import textwrap
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from runner import ROOT, run_tests
+
 HEADER = ROOT / "algorithms/fatline.h"
 # All that the library may ask of others: these functions of libc and libm, and of libgcc what it knows of the processor, and
 # how it counts bits.  None allocates, prints or keeps a state.
@@ -200,19 +201,9 @@ def commands(home):
 
 def main():
     tests = [what_readme_says, paths_of_readme, files_and_removal, every_compiler, names, names_control, manual, commands]
-    failed = 0
     with tempfile.TemporaryDirectory() as folder:
-        for number, test in enumerate(tests, 1):
-            try:
-                why = test(Path(folder))
-                print(f"ok {number} - {test.__name__}" + (f" # SKIP {why}" if why else ""), flush=True)
-            except AssertionError as reason:
-                failed += 1
-                print(f"not ok {number} - {test.__name__}", flush=True)
-                print("# " + str(reason).replace("\n", "\n# "))
-    print(f"1..{len(tests)}")
-    return 1 if failed else 0
+        run_tests([(test.__name__, lambda test=test: test(Path(folder))) for test in tests])
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -146,17 +146,27 @@ static void begin(struct fatline_paths_workspace *w, const struct fatline_path *
     memset(&w->records, 0, sizeof w->records);
 }
 
+/* false: there is no room for the rest of the block */
+static bool solve_block(struct fatline_paths_workspace *w)
+{
+    int done = path_solve(&w->solver, w->block + w->at, w->in_block - w->at, &w->records);
+    w->at += done;
+    w->done += done;
+    return w->at == w->in_block;
+}
+
 /* false: there is no room for more */
 static bool search(struct fatline_paths_workspace *w)
 {
-    while (w->at < w->in_block || (w->in_block = path_walk_next(&w->walk, w->block, BLOCK)) > 0) {
-        w->at = w->at < w->in_block ? w->at : 0;
-        int done = path_solve(&w->solver, w->block + w->at, w->in_block - w->at, &w->records);
-        w->at += done;
-        w->done += done;
-        if (w->at < w->in_block) {
-            return false;
+    while (solve_block(w)) {
+        w->at = 0;
+        w->in_block = path_walk_next(&w->walk, w->block, BLOCK);
+        if (w->in_block == 0) {
+            break;
         }
+    }
+    if (w->at < w->in_block) {
+        return false;
     }
     if (w->self) {
         int done = path_solve_loops(&w->solver, w->singles, w->a.path.count, &w->records);
