@@ -219,7 +219,7 @@ FATLINE_API enum fatline_outcome fatline_batch(struct fatline_batch_workspace *w
  * times coordinate is compared, as rounded.  A segment that is one point is passed over if a neighbour ends
  * or begins there. */
 struct fatline_path {
-    int count; /* segments, at least 0 */
+    int count; /* segments, 0 to 2^30 */
     const double *points;
     const unsigned char *degree;
     const double *weights;

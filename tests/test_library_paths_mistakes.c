@@ -87,8 +87,11 @@ static void mistakes_are_told(void **state)
     p.subpaths = 0;
     expect_error(&z, &p, NULL, NULL, "subpaths", -1);
     p = a.path;
-    p.count = -1;
-    expect_error(&z, &p, NULL, NULL, "negative", -1);
+    for (int k = 0; k < 2; k++) {
+        p.count = k ? (1 << 30) + 1 : -1;
+        expect_error(&z, &p, NULL, NULL, "number of segments", -1);
+        assert_int_equal(fatline_paths_workspace_size(&p, NULL), 0);
+    }
     p = a.path;
     p.points = NULL;
     expect_error(&z, &p, NULL, NULL, "missing", -1);

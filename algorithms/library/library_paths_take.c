@@ -2,6 +2,8 @@
  * coordinates, and which follow each other. */
 #include "library_paths.h"
 
+enum { SEGMENTS_MAX = 1 << 30 };
+
 static int degree_of(const struct fatline_path *p, int segment)
 {
     return p->degree ? p->degree[segment] : 3;
@@ -14,8 +16,8 @@ enum fault { NOTHING, MISSING, COUNT, SUBPATHS, DEGREE, COORDINATE, WEIGHT, WEIG
 static const char *const errors[][2] = {
     {NULL, NULL},
     {"the first path or its points are missing", "the points of the second path are missing"},
-    {"the number of segments of the first path is negative",
-     "the number of segments of the second path is negative"},
+    {"the number of segments of the first path is not 0 to 2^30",
+     "the number of segments of the second path is not 0 to 2^30"},
     {"the subpaths of the first path do not begin at 0 and increase within its segments",
      "the subpaths of the second path do not begin at 0 and increase within its segments"},
     {"the degree of a segment of the first path is not 1 to 32",
@@ -46,7 +48,7 @@ static bool has_subpaths(const struct fatline_path *p)
 static enum fault shape_fault(const struct fatline_path *p, int *segment)
 {
     *segment = -1;
-    if (!p || p->count < 0) {
+    if (!p || p->count < 0 || p->count > SEGMENTS_MAX) {
         return p ? COUNT : MISSING;
     }
     for (int i = 0; i < p->count; i++) {
