@@ -258,12 +258,12 @@ struct fatline_path_overlap {
     int reversed;
 };
 
-/* Before the call: `size` bytes of memory, aligned as malloc aligns.  After it: the records lie there, those
- * with done and open to be read whatever the outcome. */
+/* Before the call: memory has `size` bytes, aligned as malloc aligns.  After it, crossing and overlap lie
+ * there. */
 struct fatline_paths_answer {
     void *memory;
     size_t size;
-    int count, overlaps; /* 0 but of SOLVED and OUT_OF_STEPS */
+    int count, overlaps; /* 0 unless SOLVED or OUT_OF_STEPS */
     const struct fatline_path_crossing *crossing;
     const struct fatline_path_overlap *overlap;
     long long done;    /* pairs of segments, and single ones, that were looked at so far */
@@ -272,10 +272,10 @@ struct fatline_paths_answer {
     int segment;       /* that `error` speaks of, or -1 */
 };
 
-/* Of a workspace for these two paths, or for one (b NULL): two and a half megabytes and, of cubics without
- * weights, less than 200 bytes a segment.  Of memory for so many records, as they are found: what has up to
- * four of them at a joint is one in the answer; two megabytes, 12 bytes a segment and 200 a record.  Points
- * and weights are not looked at.  0: a count, a degree or a subpath is none. */
+/* Of a workspace for these two paths, or for one (b NULL): one and a half megabytes, three of any degree, and
+ * of cubics without weights less than 200 bytes a segment.  Of memory for so many records, as they are found:
+ * what has up to four of them at a joint is one in the answer; two megabytes, 12 bytes a segment and 200 a
+ * record.  Points and weights are not looked at.  0: a count, a degree or a subpath is none. */
 FATLINE_API size_t fatline_paths_workspace_size(const struct fatline_path *a, const struct fatline_path *b);
 FATLINE_API size_t fatline_paths_memory_size(const struct fatline_path *a, const struct fatline_path *b,
                                              int records);

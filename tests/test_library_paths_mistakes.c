@@ -122,7 +122,7 @@ static void memory_is_checked(void **state)
     a.path.weights = NULL;
     size_t size = fatline_paths_workspace_size(&a.path, NULL);
     char *memory = (char *)malloc(size);
-    assert_true(size < 2500000 + 1000 * 200);
+    assert_true(size < 1500000 + 1000 * 200);
     assert_true(fatline_paths_memory_size(&a.path, NULL, 1000) < 2000000 + 1000 * (12 + 200));
     assert_true(fatline_paths_memory_size(&a.path, NULL, -1) == 0);
     assert_null(fatline_paths_workspace_init(NULL, size));
