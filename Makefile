@@ -130,7 +130,8 @@ include algorithms/library/library.mk
 # tests/test_X.c is built for each precision, those named here in double only.
 TESTS_ONCE = test_case test_case_mistakes test_random test_row test_order test_close_up test_statistics test_clock \
              test_referee test_referee_bounds test_exact test_exact_overlap test_exact_invariance test_truth \
-             test_kernels test_library test_library_batch test_region_functions
+             test_kernels test_library test_library_batch test_library_paths test_library_paths_mistakes \
+             test_region_functions
 TESTS = $(patsubst tests/%.c,%,$(wildcard tests/test_*.c))
 tests_double = $(TESTS:%=build/double/tests/%)
 tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-out $(TESTS_ONCE),$(TESTS))))
