@@ -348,13 +348,25 @@ static enum outcome search_rest(const struct problem *p, const struct rest *rest
 }
 
 /* A front that refused the problem as it came may still take the prepared one. */
-static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+static enum outcome intersect_with(bool many, const struct problem *p, struct workspace *w,
+                                   struct crossings *out)
 {
     struct rest rest;
     if (p->rest) {
         return search_rest(p, p->rest, w, out);
     }
-    return front_of_prepared(p, w, out, &rest) ? search_rest(p, &rest, w, out) : intersect_scalar(p, w, out);
+    return front_of_prepared(many, p, w, out, &rest) ? search_rest(p, &rest, w, out)
+                                                     : intersect_scalar(p, w, out);
+}
+
+static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    return intersect_with(true, p, w, out);
+}
+
+static enum outcome intersect_avx2(const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    return intersect_with(false, p, w, out);
 }
 
 #define REFERENCE                                                                                            \
@@ -370,6 +382,18 @@ const struct intersector certified = {
     .scratch = certified_scratch,
     .points_only = false,
     .front = front_of_certified,
+};
+
+extern const struct intersector certified_avx2;
+const struct intersector certified_avx2 = {
+    .name = "certified_avx2",
+    .summary = "the same without kernels for processors that have more than AVX2",
+    .reference = REFERENCE,
+    .claimed = {0, 0, 0, 0},
+    .intersect = intersect_avx2,
+    .scratch = certified_scratch,
+    .points_only = false,
+    .front = front_of_certified_avx2,
 };
 
 extern const struct intersector certified_scalar;

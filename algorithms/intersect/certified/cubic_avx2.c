@@ -80,13 +80,9 @@ AVX2_INLINE void solve(struct kernel *k, bool raised)
     k->last_step = z->steps + (allowed < STEPS_OF_KERNEL ? allowed : (int)STEPS_OF_KERNEL);
     z->steps++;
     enum verdict verdict = settle(k, &k->f->part[0], &k->g->part[0]);
-    if (verdict == LEFT) {
+    if (verdict == LEFT || verdict == BESIDE) { /* whole curves side by side mostly touch, or nearly */
         leave(k, &k->f->part[0], &k->g->part[0]);
     } else if (verdict != CLOSED) {
-        if (verdict == BESIDE) {
-            const struct pair_of_parts whole = {&k->f->part[0], &k->g->part[0]};
-            trial_begin(k, whole);
-        }
         split_whole(k);
         work(k);
     }
