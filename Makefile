@@ -37,7 +37,7 @@ REAL_MODULES   = real_text problem case_set algorithms_named guard external solv
                  planted_roots measuring path order_measure lemma_reduction lemma_cut \
                  region_problem region_answer region_check region_check_expected region_check_sample \
                  region_check_agree region_sample region_options region_time \
-                 path_set path_random path_svg path_arc path_read path_job path_rows path_options path_boxes \
+                 path_set path_random path_svg path_arc path_read path_write path_job path_rows path_options path_boxes \
                  path_timing
 
 ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c algorithms/intersect/*/*.c algorithms/curvature/*.c algorithms/paths/*.c)
@@ -130,7 +130,8 @@ include algorithms/library/library.mk
 # tests/test_X.c is built for each precision, those named here in double only.
 TESTS_ONCE = test_case test_case_mistakes test_random test_row test_order test_close_up test_statistics test_clock \
              test_referee test_referee_bounds test_exact test_exact_overlap test_exact_invariance test_truth \
-             test_kernels test_library test_library_batch test_region_functions
+             test_kernels test_library test_library_batch test_library_paths test_library_paths_mistakes \
+             test_region_functions
 TESTS = $(patsubst tests/%.c,%,$(wildcard tests/test_*.c))
 tests_double = $(TESTS:%=build/double/tests/%)
 tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-out $(TESTS_ONCE),$(TESTS))))

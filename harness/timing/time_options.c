@@ -62,7 +62,8 @@ enum {
 
 static const struct argp_option options[] = {
     {"algorithm", 'a', "LIST", 0, "names or globs, separated by commas, `peers`, or `all` (the default)", 0},
-    {"baseline", 'b', "NAME", 0, "give ratios to this algorithm, from the same rounds", 0},
+    {"baseline", 'b', "NAME", 0,
+     "give ratios to this algorithm (of --batch: as its rows name it), or program, from the same rounds", 0},
     {"external", 'x', "CMD", 0, "also time a program that reads case lines and writes `solve` lines", 0},
     {"timeout", TIMEOUT, "S", 0, "seconds an external program or another library may take for a pair (10)",
      0},

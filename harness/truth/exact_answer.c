@@ -199,7 +199,8 @@ static const char *put_range(struct test_case *c, struct exact_range *r, int dig
     struct parameter p[4];
     bool done = true;
     for (int i = 0; i < 4; i++) {
-        done = parameter_set(&p[i], end[i], i < 2 ? &c->f : &c->g, digits, false) && done;
+        bool refine = !fmpz_poly_is_zero(end[i]->p);
+        done = parameter_set(&p[i], end[i], i < 2 ? &c->f : &c->g, digits, refine) && done;
         mpq_init(q[i]);
         mpq_set(q[i], p[i].q);
         to->exact = (i == 0 || to->exact) && p[i].exact;
