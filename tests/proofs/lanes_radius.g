@@ -1,9 +1,9 @@
 # The radius of the lanes is computed to 17 u of itself; 1 + 8 DBL_EPSILON makes up for 16 u, and lanes_past.g leaves more
 # than the rest.
-# in: algorithms/intersect/certified/batch_steps.h
+# in: algorithms/intersect/certified/batch_nodes.h
 # C: const double up = 1 + 8 * DBL_EPSILON;
 # C: wide both = 1.0 / (det * thrice), one = both * thrice, k = both * det * up;
-# C: wide_store(q->reach_t + to, wide_pack(which, c->g.speed * width_f * k));
+# C: out->reach_t = c->g.speed * width_f * k;
 # in: algorithms/intersect/certified/batch_newton.h
 # C: wide tilt = d->df * d->dg * d->one, way = wide_fma(d->df, dt, d->dg * ds);
 # C: wide left = 2.0 * d->error + way * (8 * eps * (1.0 + tilt)) + noise * (dt + ds);
