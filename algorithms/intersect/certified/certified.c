@@ -32,7 +32,7 @@ static int node_stride(int n)
 
 static size_t level_length(int n, int m)
 {
-    return 3 * (size_t)(n + 1 + m + 1) + source_length(n) + source_length(m);
+    return 5 * (size_t)(n + 1 + m + 1) + source_length(n) + source_length(m);
 }
 
 size_t certified_scratch(int n, int m)
@@ -87,6 +87,7 @@ static void source_of(const struct curve *c, real scale, real node_error, struct
     out->n = c->degree;
     out->rational = c->w != NULL;
     out->points = c->x;
+    out->low = NULL;
     out->error = c->w ? REAL_EPSILON * scale : (real)0;
     out->node_error = node_error;
 }

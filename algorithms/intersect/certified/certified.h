@@ -27,12 +27,14 @@ struct source {
     int n;
     bool rational;
     const real *points; /* homogeneous: x[0..n], y[0..n], and if rational w[0..n] */
-    real *value;        /* the same times C(n, i) */
-    real *slope;        /* of the derivative: n (c[i+1] - c[i]) C(n-1, i), n for each component */
-    real error;         /* of points */
-    real node_error;    /* of the points of a node */
-    real noise;         /* of source_at, point: for parameters in [0, 1] */
-    real slope_noise;   /* of source_at, derivative */
+    const real *low; /* of a polynomial curve of a level above 0: points + low err by fine_error; else NULL */
+    real fine_error;
+    real *value;      /* the same times C(n, i) */
+    real *slope;      /* of the derivative: n (c[i+1] - c[i]) C(n-1, i), n for each component */
+    real error;       /* of points */
+    real node_error;  /* of the points of a node */
+    real noise;       /* of source_at, point: for parameters in [0, 1] */
+    real slope_noise; /* of source_at, derivative */
 };
 
 /* The part of a source over [lo, hi].  Directions: f' = pace (convex combination of the directions) by the
@@ -177,6 +179,12 @@ enum search zero_prove(struct solver *z, int level, const struct zero *x, real w
  * the extended pair if it exists: a look closer, or a CLUSTER. */
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                            const struct zero *x, int at_most, bool exists);
+
+/* Does the region, cut off at the ends of the domain, lie within the nodes? */
+bool region_is_whole(const struct solver *z, int level, const struct node *f, const struct node *g,
+                     const struct zero *x);
+/* The record of a region that is whole, without a closer look. */
+void region_record(struct solver *z, int level, const struct zero *x, int at_most, bool exists);
 
 /* Does what of the region is in the domain lie in a solved rectangle? */
 bool region_is_solved(const struct solver *z, int level, const struct zero *x);
