@@ -75,21 +75,44 @@ static enum verdict divide(struct solver *z, const struct pair *at, const struct
     return CLOSED;
 }
 
-/* Is it a whole level, and some stretch no simple zero? */
-static bool is_worth_sharpening(const struct solver *z, const struct pair *at, const struct gap_model *c,
-                                int count, const struct stretch *s)
+/* Is the region of the stretch as narrow as asked, all of it within the nodes? */
+static bool is_enough(const struct solver *z, const struct pair *at, const struct gap_model *c,
+                      const struct stretch *s)
+{
+    const struct level *v = &z->level[at->level];
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    struct zero x;
+    gap_region(c, s, f, g, &x);
+    return 2 * x.rt * (v->t.hi - v->t.lo) <= z->p->bounds.tolerance_t &&
+           2 * x.rs * (v->s.hi - v->s.lo) <= z->p->bounds.tolerance_s &&
+           region_is_whole(z, at->level, f, g, &x);
+}
+
+/* A pair that is a whole level, where something else than a simple zero is hidden: with twice the digits. But
+ * if the arcs may be one, that is looked at first, once, and the pair taken up again. */
+static enum verdict look_sharply(struct solver *z, const struct pair *at, const struct gap_model *c, int most,
+                                 int count, const struct stretch *s)
 {
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    bool simple = true, suspect = false;
     if (at->level == 0 || f->hi - f->lo < 1 || g->hi - g->lo < 1) {
-        return false;
+        return OPEN;
     }
     for (int i = 0; i < count; i++) {
         real size;
-        if (gap_order(c, &s[i], &size) != 1) {
-            return true;
-        }
+        int p = gap_order(c, &s[i], &size);
+        bool known =
+            count == 1 && p > 0 && p <= most && gap_is_limited(c, &s[i]) && is_enough(z, at, c, &s[i]);
+        simple = simple && (p == 1 || known);
+        suspect = suspect || p == 0;
     }
-    return false;
+    if (!simple && suspect && !z->alone && z->suspicions == 0) {
+        z->suspicions++;
+        z->next_look = z->w->steps;
+        pair_push(z, at->level, at->f, at->g, 0);
+        return CLOSED;
+    }
+    return simple ? OPEN : cluster_sharpen(z, at, c, most, count, s);
 }
 
 static enum verdict settle_stretches(struct solver *z, const struct pair *at, const struct gap_model *c,
@@ -98,8 +121,7 @@ static enum verdict settle_stretches(struct solver *z, const struct pair *at, co
     const struct stretch whole = {0, 1};
     struct stretch s[STRETCHES_MAX];
     int count = gap_stretches(c, &whole, s);
-    if (count == 0 ||
-        (is_worth_sharpening(z, at, c, count, s) && cluster_sharpen(z, at, c, most, count, s) == CLOSED)) {
+    if (count == 0 || look_sharply(z, at, c, most, count, s) == CLOSED) {
         return CLOSED;
     }
     return count == 1 ? settle_stretch(z, at, c, &s[0], most) : divide(z, at, c, count, s);

@@ -69,7 +69,7 @@ static int narrow_down(struct sharpening *h, struct stretch *in, struct gap_mode
             return -1;
         }
         count = gap_stretches(c, in, s);
-        if (count != 1 || !(s[0].hi - s[0].lo < (in->hi - in->lo) / 2)) {
+        if (count != 1 || !(s[0].hi - s[0].lo < (in->hi - in->lo) / 2) || gap_is_limited(c, in)) {
             break;
         }
         *in = s[0];
