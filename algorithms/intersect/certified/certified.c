@@ -110,6 +110,7 @@ static bool begin(struct solver *z)
     struct level *v = &z->level[0];
     real scale = real_max(p->bounds.scale, (real)1);
     v->scale = scale;
+    v->factor = 1;
     v->t.lo = v->s.lo = 0;
     v->t.hi = v->s.hi = 1;
     source_of(&p->f, scale, p->bounds.f, &v->f);
@@ -178,12 +179,28 @@ static bool have_little(const struct node *f, const struct node *g, const struct
     return 2 * common.rt <= worth * (f->hi - f->lo) || 2 * common.rs <= worth * (g->hi - g->lo);
 }
 
+/* Both may point back along their chords.  Where an overlap ends at a cusp of both, halves say nothing new
+ * before rounding hides them. */
+static enum verdict settle_turning(struct solver *z, struct pair *at)
+{
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    const real small = (real)1 / 256, tiny = least_width();
+    real product = (f->hi - f->lo) * (g->hi - g->lo);
+    if (at->level > 0 || product <= small) {
+        if (cusps_settle(z, at) == CLOSED) {
+            return CLOSED;
+        }
+    }
+    struct zero x = {(f->lo + f->hi) / 2, (g->lo + g->hi) / 2, (f->hi - f->lo) / 2, (g->hi - g->lo) / 2};
+    return z->out->overlaps > 0 && product <= tiny * tiny ? region_look(z, at->level, &x) : OPEN;
+}
+
 /* Arcs with parallel directions.  Looks for contacts rest for two splits when they fail. */
 static enum verdict settle_beside(struct solver *z, struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    const real small = (real)1 / 1024, tiny = (real)1 / 256;
+    const real small = (real)1 / 1024;
     struct graphs h;
     if (!f->wide && !g->wide && strips_apart(v, f, g)) {
         return CLOSED;
@@ -193,7 +210,7 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
         return OPEN;
     }
     if (f->wide && g->wide) {
-        return at->level > 0 || (f->hi - f->lo) * (g->hi - g->lo) <= tiny ? cusps_settle(z, at) : OPEN;
+        return settle_turning(z, at);
     }
     bool graphs = !f->wide && !g->wide && graphs_init(v, f, g, &h);
     if (graphs && (h.apart || overlap_holds(z, at->level, f, g, &h) ||
@@ -216,9 +233,9 @@ static enum verdict settle(struct solver *z, struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    if (z->solved > 0) {
+    if (z->solved > 0 || z->out->overlaps > 0) {
         struct interval t = level_t(v, f->lo, f->hi), s = level_s(v, g->lo, g->hi);
-        if (is_solved(z, at->level, &t, &s)) {
+        if (is_solved(z, at->level, &t, &s) || overlap_ends(z, &t, &s)) {
             return CLOSED;
         }
     }

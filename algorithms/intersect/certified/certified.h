@@ -69,6 +69,7 @@ struct tree {
 struct level {
     struct source f, g;
     struct interval t, s; /* of the problem's parameters */
+    real factor;          /* coordinates of the problem times this */
     real scale;           /* max |coordinate| of both, at least 1 */
     /* Of a level above 0: the record it stands for if it takes too long, how many records (-1: not begun) and
      * pairs there were before it, and steps left. */

@@ -41,6 +41,44 @@ static real square_distance(const struct source *c, real t, real x, real y)
     return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y);
 }
 
+/* f'' by the local parameter, about. */
+static void second(const struct source *c, real t, real *ddx, real *ddy)
+{
+    const real h = real_ldexp(1, -12);
+    struct spot p, q;
+    real next = t + h <= 1 ? t + h : t - h;
+    source_at(c, t, &p);
+    source_at(c, next, &q);
+    *ddx = (q.dx - p.dx) / (next - t);
+    *ddy = (q.dy - p.dy) / (next - t);
+}
+
+/* Parameter of the point of c nearest to (x, y), from *t, and how far it is; at a cusp, which Gauss and
+ * Newton's method approaches slowly, by the derivative's zero. */
+static real match(const struct source *c, real x, real y, real *t)
+{
+    const real many = 64, nearby = real_ldexp(1, -REAL_BITS / 6);
+    struct spot p;
+    real distance = source_match(c, x, y, 0, 1, t), at = *t;
+    for (int k = 0; k < 8; k++) {
+        real ddx, ddy;
+        source_at(c, at, &p);
+        second(c, at, &ddx, &ddy);
+        real square = ddx * ddx + ddy * ddy;
+        if (!(square > 0)) {
+            return distance;
+        }
+        at = clamp(at - (p.dx * ddx + p.dy * ddy) / square, 0, 1);
+    }
+    source_at(c, at, &p);
+    bool cusp = real_max(real_abs(p.dx), real_abs(p.dy)) <= many * c->slope_noise;
+    if (!cusp || real_abs(at - *t) > nearby) {
+        return distance;
+    }
+    *t = at;
+    return real_max(real_abs(p.x - x), real_abs(p.y - y));
+}
+
 /* Where `other` passes within `near` of an end of c. */
 static void places_of_end(const struct source *c, real end, const struct source *other, real near,
                           bool c_is_f, struct places *out)
@@ -52,7 +90,7 @@ static void places_of_end(const struct source *c, real end, const struct source 
     for (int i = 0; i <= steps; i++) {
         real next = i < steps ? square_distance(other, (real)(i + 1) / (real)steps, p.x, p.y) : REAL_HUGE;
         real at = (real)i / (real)steps;
-        if (now <= before && now <= next && source_match(other, p.x, p.y, 0, 1, &at) <= near) {
+        if (now <= before && now <= next && match(other, p.x, p.y, &at) <= near) {
             place_add(out, c_is_f ? end : at, c_is_f ? at : end);
         }
         before = now;
@@ -70,13 +108,18 @@ static struct interval widened(real a, real b, real pad)
     return out;
 }
 
-/* Ends of c's own domain are exact, others known to the distance over the speed. */
+/* An end is known to the distance over the speed; at a cusp to the root of it over half the second
+ * derivative, twice that for what is neither the one nor the other. */
 static real uncertainty(const struct source *c, real end, real distance)
 {
     struct spot p;
+    real ddx, ddy, most = 2 * distance + 64 * c->node_error;
     source_at(c, end, &p);
-    real speed = real_max(real_abs(p.dx), real_abs(p.dy));
-    return speed > 0 ? (2 * distance + 64 * c->node_error) / speed : (real)1;
+    second(c, end, &ddx, &ddy);
+    real speed = real_max(real_abs(p.dx), real_abs(p.dy)), bend = real_max(real_abs(ddx), real_abs(ddy));
+    real straight = speed > 0 ? most / speed : (real)1;
+    real turned = bend > 0 ? 2 * real_sqrt(2 * most / bend) : (real)1;
+    return real_min(straight, turned);
 }
 
 static struct interval inner(real a, real b, real pad)
@@ -190,13 +233,15 @@ bool overlap_find(struct solver *z, int looser)
 
 /* ---- cells ---- */
 
-static bool is_shared(const struct level *v, const struct overlap *o, const struct gap_view *at)
+static bool is_shared(const struct solver *z, const struct level *v, const struct overlap *o,
+                      const struct gap_view *at)
 {
     const real flat = real_ldexp(1, -REAL_BITS / 4);
-    return o->t_outer.lo <= at->t && at->t <= o->t_outer.hi && o->s_outer.lo <= at->s &&
-           at->s <= o->s_outer.hi &&
-           real_abs(at->gap) <= 2 * o->distance + 64 * (v->f.node_error + v->g.node_error) &&
-           real_abs(at->slope) <= flat;
+    const struct level *all = &z->level[0];
+    struct interval t = level_t(v, at->t, at->t), s = level_s(v, at->s, at->s);
+    real most = (2 * o->distance + 64 * (all->f.node_error + all->g.node_error)) * v->factor;
+    return o->t_outer.lo <= t.lo && t.hi <= o->t_outer.hi && o->s_outer.lo <= s.lo && s.hi <= o->s_outer.hi &&
+           real_abs(at->gap) <= most && real_abs(at->slope) <= flat;
 }
 
 /* The view at abscissa x, both parameters as near as they can be. */
@@ -216,7 +261,7 @@ bool overlap_holds(const struct solver *z, int level, const struct node *f, cons
                    const struct graphs *h)
 {
     const struct level *v = &z->level[level];
-    if (level != 0 || z->out->overlaps == 0) {
+    if (z->out->overlaps == 0) {
         return false;
     }
     struct gap_view first, middle, last;
@@ -227,8 +272,40 @@ bool overlap_holds(const struct solver *z, int level, const struct node *f, cons
     }
     for (int i = 0; i < z->out->overlaps; i++) {
         const struct overlap *o = &z->out->overlap[i];
-        if (is_shared(v, o, &first) && is_shared(v, o, &middle) && is_shared(v, o, &last)) {
+        if (is_shared(z, v, o, &first) && is_shared(z, v, o, &middle) && is_shared(z, v, o, &last)) {
             return true;
+        }
+    }
+    return false;
+}
+
+/* What of [lo, hi] is no farther from an end of the inner range than that is known. */
+static struct interval corner(const struct source *c, const struct interval *outer,
+                              const struct interval *inner, bool last, real distance)
+{
+    real end = last ? (outer->hi + inner->hi) / 2 : (outer->lo + inner->lo) / 2;
+    real pad = uncertainty(c, end, distance);
+    struct interval out = {real_max(outer->lo, end - pad), real_min(outer->hi, end + pad)};
+    return out;
+}
+
+static bool lies_within(const struct interval *a, const struct interval *b)
+{
+    return b->lo <= a->lo && a->hi <= b->hi;
+}
+
+bool overlap_ends(const struct solver *z, const struct interval *t, const struct interval *s)
+{
+    const struct level *v = &z->level[0];
+    for (int i = 0; i < z->out->overlaps; i++) {
+        const struct overlap *o = &z->out->overlap[i];
+        bool within = lies_within(t, &o->t_outer) && lies_within(s, &o->s_outer);
+        for (int last = 0; last <= 1 && within; last++) {
+            struct interval at = corner(&v->f, &o->t_outer, &o->t_inner, last, o->distance);
+            struct interval as = corner(&v->g, &o->s_outer, &o->s_inner, last != o->reversed, o->distance);
+            if (lies_within(t, &at) && lies_within(s, &as)) {
+                return true;
+            }
         }
     }
     return false;

@@ -150,6 +150,7 @@ static bool level_new(struct solver *z, const struct interval *t, const struct i
     v->t = *t;
     v->s = *s;
     v->scale = 2;
+    v->factor = factor;
     enlarge(&f, points_f, low_f, factor, error_f, &v->f, rest_f);
     enlarge(&g, points_g, low_g, factor, error_g, &v->g, rest_f + source_length(n));
     z->levels++;
