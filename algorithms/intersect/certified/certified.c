@@ -75,6 +75,7 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->level_numbers = at;
     z->levels = z->pairs = z->solved = 0;
     z->next_look = w->steps + FIRST_LOOK;
+    z->wider = 1;
     z->suspicions = z->looks = z->overlap_looks = 0;
     z->alone = false;
 }
@@ -262,7 +263,8 @@ static void look_for_overlaps(struct solver *z)
     int looser = z->overlap_looks == 0 ? 0 : z->overlap_looks == 1 ? 7 : 16;
     z->overlap_looks++;
     z->next_look = times * (z->next_look < first ? first : z->next_look);
-    if (overlap_find(z, looser)) {
+    bool late = z->w->steps >= times * first;
+    if ((late && overlap_widen(z)) || overlap_find(z, looser)) {
         z->out->count = 0;
         z->out->merged = false;
         z->outcome = SOLVED;

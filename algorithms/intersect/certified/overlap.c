@@ -41,21 +41,9 @@ static real square_distance(const struct source *c, real t, real x, real y)
     return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y);
 }
 
-/* f'' by the local parameter, about. */
-static void second(const struct source *c, real t, real *ddx, real *ddy)
-{
-    const real h = real_ldexp(1, -12);
-    struct spot p, q;
-    real next = t + h <= 1 ? t + h : t - h;
-    source_at(c, t, &p);
-    source_at(c, next, &q);
-    *ddx = (q.dx - p.dx) / (next - t);
-    *ddy = (q.dy - p.dy) / (next - t);
-}
-
 /* Parameter of the point of c nearest to (x, y), from *t, and how far it is; at a cusp, which Gauss and
  * Newton's method approaches slowly, by the derivative's zero. */
-static real match(const struct source *c, real x, real y, real *t)
+static real match(const struct source *c, real x, real y, real near, real *t)
 {
     const real many = 64, nearby = real_ldexp(1, -REAL_BITS / 6);
     struct spot p;
@@ -63,7 +51,7 @@ static real match(const struct source *c, real x, real y, real *t)
     for (int k = 0; k < 8; k++) {
         real ddx, ddy;
         source_at(c, at, &p);
-        second(c, at, &ddx, &ddy);
+        source_second(c, at, &ddx, &ddy);
         real square = ddx * ddx + ddy * ddy;
         if (!(square > 0)) {
             return distance;
@@ -72,11 +60,37 @@ static real match(const struct source *c, real x, real y, real *t)
     }
     source_at(c, at, &p);
     bool cusp = real_max(real_abs(p.dx), real_abs(p.dy)) <= many * c->slope_noise;
-    if (!cusp || real_abs(at - *t) > nearby) {
+    real there = real_max(real_abs(p.x - x), real_abs(p.y - y));
+    if (!cusp || real_abs(at - *t) > nearby || there > real_max(near, distance)) {
         return distance;
     }
     *t = at;
-    return real_max(real_abs(p.x - x), real_abs(p.y - y));
+    return there;
+}
+
+/* From parameter i / steps; and from its neighbours too where the curve turns back between them. */
+static bool match_about(const struct source *c, real x, real y, real near, int i, int steps, real *t)
+{
+    *t = (real)i / (real)steps;
+    if (match(c, x, y, near, t) <= near) {
+        return true;
+    }
+    if (i == 0 || i == steps) {
+        return false;
+    }
+    struct spot p, q;
+    real before = (real)(i - 1) / (real)steps, after = (real)(i + 1) / (real)steps;
+    source_at(c, before, &p);
+    source_at(c, after, &q);
+    if (p.dx * q.dx + p.dy * q.dy > 0) {
+        return false;
+    }
+    *t = before;
+    if (match(c, x, y, near, t) <= near) {
+        return true;
+    }
+    *t = after;
+    return match(c, x, y, near, t) <= near;
 }
 
 /* Where `other` passes within `near` of an end of c. */
@@ -89,8 +103,8 @@ static void places_of_end(const struct source *c, real end, const struct source 
     real before = REAL_HUGE, now = square_distance(other, 0, p.x, p.y);
     for (int i = 0; i <= steps; i++) {
         real next = i < steps ? square_distance(other, (real)(i + 1) / (real)steps, p.x, p.y) : REAL_HUGE;
-        real at = (real)i / (real)steps;
-        if (now <= before && now <= next && match(other, p.x, p.y, &at) <= near) {
+        real at;
+        if (now <= before && now <= next && match_about(other, p.x, p.y, near, i, steps, &at)) {
             place_add(out, c_is_f ? end : at, c_is_f ? at : end);
         }
         before = now;
@@ -98,37 +112,7 @@ static void places_of_end(const struct source *c, real end, const struct source 
     }
 }
 
-/* ---- records ---- */
-
-static struct interval widened(real a, real b, real pad)
-{
-    struct interval out;
-    out.lo = clamp(real_min(a, b) - pad, 0, 1);
-    out.hi = clamp(real_max(a, b) + pad, 0, 1);
-    return out;
-}
-
-/* An end is known to the distance over the speed; at a cusp to the root of it over half the second
- * derivative, twice that for what is neither the one nor the other. */
-static real uncertainty(const struct source *c, real end, real distance)
-{
-    struct spot p;
-    real ddx, ddy, most = 2 * distance + 64 * c->node_error;
-    source_at(c, end, &p);
-    second(c, end, &ddx, &ddy);
-    real speed = real_max(real_abs(p.dx), real_abs(p.dy)), bend = real_max(real_abs(ddx), real_abs(ddy));
-    real straight = speed > 0 ? most / speed : (real)1;
-    real turned = bend > 0 ? 2 * real_sqrt(2 * most / bend) : (real)1;
-    return real_min(straight, turned);
-}
-
-static struct interval inner(real a, real b, real pad)
-{
-    struct interval out = {real_min(a, b), real_max(a, b)};
-    out.lo = out.lo == 0 ? out.lo : out.lo + pad;
-    out.hi = out.hi == 1 ? out.hi : out.hi - pad;
-    return out;
-}
+/* ---- arcs ---- */
 
 static bool is_known(const struct crossings *out, const struct shared *x)
 {
@@ -140,29 +124,6 @@ static bool is_known(const struct crossings *out, const struct shared *x)
         }
     }
     return false;
-}
-
-static bool record(struct solver *z, const struct shared *x, real distance)
-{
-    const struct level *v = &z->level[0];
-    if (z->out->overlaps == OVERLAPS_MAX) {
-        return false;
-    }
-    real pad_t = real_max(uncertainty(&v->f, x->t0, distance), uncertainty(&v->f, x->t1, distance));
-    real pad_s = real_max(uncertainty(&v->g, x->s0, distance), uncertainty(&v->g, x->s1, distance));
-    struct overlap *o = &z->out->overlap[z->out->overlaps];
-    o->t_outer = widened(x->t0, x->t1, pad_t);
-    o->s_outer = widened(x->s0, x->s1, pad_s);
-    o->t_inner = inner(x->t0, x->t1, pad_t);
-    o->s_inner = inner(x->s0, x->s1, pad_s);
-    o->reversed = x->s0 > x->s1;
-    o->exact = false;
-    o->distance = distance;
-    if (!(o->t_inner.lo < o->t_inner.hi) || !(o->s_inner.lo < o->s_inner.hi)) {
-        return false;
-    }
-    z->out->overlaps++;
-    return true;
 }
 
 /* Is the middle of the arc on the other curve at all? */
@@ -181,7 +142,7 @@ static bool try_arc(struct solver *z, const struct shared *x, real near)
         return false;
     }
     real distance = shared_distance(v, x, near);
-    return distance >= 0 && distance <= near && record(z, x, distance);
+    return distance >= 0 && distance <= near && overlap_record(z, x, distance);
 }
 
 /* The longest arc in t between two places that has not been tried. */
@@ -274,38 +235,6 @@ bool overlap_holds(const struct solver *z, int level, const struct node *f, cons
         const struct overlap *o = &z->out->overlap[i];
         if (is_shared(z, v, o, &first) && is_shared(z, v, o, &middle) && is_shared(z, v, o, &last)) {
             return true;
-        }
-    }
-    return false;
-}
-
-/* What of [lo, hi] is no farther from an end of the inner range than that is known. */
-static struct interval corner(const struct source *c, const struct interval *outer,
-                              const struct interval *inner, bool last, real distance)
-{
-    real end = last ? (outer->hi + inner->hi) / 2 : (outer->lo + inner->lo) / 2;
-    real pad = uncertainty(c, end, distance);
-    struct interval out = {real_max(outer->lo, end - pad), real_min(outer->hi, end + pad)};
-    return out;
-}
-
-static bool lies_within(const struct interval *a, const struct interval *b)
-{
-    return b->lo <= a->lo && a->hi <= b->hi;
-}
-
-bool overlap_ends(const struct solver *z, const struct interval *t, const struct interval *s)
-{
-    const struct level *v = &z->level[0];
-    for (int i = 0; i < z->out->overlaps; i++) {
-        const struct overlap *o = &z->out->overlap[i];
-        bool within = lies_within(t, &o->t_outer) && lies_within(s, &o->s_outer);
-        for (int last = 0; last <= 1 && within; last++) {
-            struct interval at = corner(&v->f, &o->t_outer, &o->t_inner, last, o->distance);
-            struct interval as = corner(&v->g, &o->s_outer, &o->s_inner, last != o->reversed, o->distance);
-            if (lies_within(t, &at) && lies_within(s, &as)) {
-                return true;
-            }
         }
     }
     return false;

@@ -253,3 +253,14 @@ real source_match(const struct source *c, real x, real y, real lo, real hi, real
     source_at(c, *t, &p);
     return real_max(real_abs(p.x - x), real_abs(p.y - y));
 }
+
+void source_second(const struct source *c, real t, real *ddx, real *ddy)
+{
+    const real h = real_ldexp(1, -12);
+    struct spot p, q;
+    real next = t + h <= 1 ? t + h : t - h;
+    source_at(c, t, &p);
+    source_at(c, next, &q);
+    *ddx = (q.dx - p.dx) / (next - t);
+    *ddy = (q.dy - p.dy) / (next - t);
+}
