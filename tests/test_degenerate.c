@@ -147,8 +147,7 @@ static void put_powers(int n, const int64_t *c, int m, int k, real *out)
     }
 }
 
-/* f has a cusp inside, at t = 1/4, where g begins (i even) or, backwards, ends: the other way round t and s
- * run from cusp to end. */
+/* f has a cusp inside, at t = 1/4, where g begins or, i odd, ends; every other two g has it in the middle. */
 static void make_from_cusp(struct shared *p, struct random_state *r, int i)
 {
     const int n = 3 + i % 3, common = n == 3 ? 3 : n == 4 ? 12 : 10;
@@ -165,10 +164,11 @@ static void make_from_cusp(struct shared *p, struct random_state *r, int i)
     prop_curve_make(&p->g, r, n, 12, false);
     put_powers(n, x, 4, -1, p->f.x);
     put_powers(n, y, 4, -1, p->f.y);
-    put_powers(n, x, i % 2 ? -2 : 2, i % 2 ? 2 : 0, p->g.x);
-    put_powers(n, y, i % 2 ? -2 : 2, i % 2 ? 2 : 0, p->g.y);
-    p->a = i % 2 ? -2 : 2; /* 4 t - 1 = 2 s, or 2 - 2 s */
-    p->b = i % 2 ? (real)3 / 2 : (real)-1 / 2;
+    int inside = i / 2 % 2, m = inside ? 4 : 2, back = i % 2;
+    put_powers(n, x, back ? -m : m, inside ? (back ? 2 : -2) : back ? 2 : 0, p->g.x);
+    put_powers(n, y, back ? -m : m, inside ? (back ? 2 : -2) : back ? 2 : 0, p->g.y);
+    p->a = back ? -4 / m : 4 / m; /* 4 t - 1 = 2 s, 2 - 2 s, 4 s - 2 or 2 - 4 s */
+    p->b = inside ? (back ? (real)3 / 4 : (real)1 / 4) : back ? (real)3 / 2 : (real)-1 / 2;
 }
 
 /* Beside the arc there is nothing at the cusp, and it takes no thousands of steps to say so. */

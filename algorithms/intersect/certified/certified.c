@@ -76,6 +76,7 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->levels = z->pairs = z->solved = 0;
     z->next_look = w->steps + FIRST_LOOK;
     z->wider = 1;
+    z->turns = false;
     z->suspicions = z->looks = z->overlap_looks = 0;
     z->alone = false;
 }
@@ -236,7 +237,7 @@ static enum verdict settle(struct solver *z, struct pair *at)
     struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     if (z->solved > 0 || z->out->overlaps > 0) {
         struct interval t = level_t(v, f->lo, f->hi), s = level_s(v, g->lo, g->hi);
-        if (is_solved(z, at->level, &t, &s) || overlap_ends(z, &t, &s)) {
+        if (is_solved(z, at->level, &t, &s) || overlap_turns(z, &t, &s)) {
             return CLOSED;
         }
     }

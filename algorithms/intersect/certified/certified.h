@@ -105,6 +105,7 @@ struct solver {
     int root_f, root_g;
     int next_look; /* steps before overlaps are looked for (again) */
     int overlap_looks;
+    bool turns;     /* an overlap has a cusp */
     real wider;     /* times the uncertainty of ends of overlaps at cusps */
     int suspicions; /* so often a gap was no more than rounding */
     bool alone;     /* shared arcs are not looked for: loops.c */
@@ -219,7 +220,8 @@ void level_give_up(struct solver *z);
 /* Looks for a shared arc: arcs that are apart by rounding, times 2^looser; true: one was added to the
  * records. */
 bool overlap_find(struct solver *z, int looser);
-/* Ends at cusps become less certain, overlap_ends.c; false: there are none. */
+/* Cusps of shared arcs become less certain, overlap_ends.c; false: none was seen, or they are uncertain
+ * enough. */
 bool overlap_widen(struct solver *z);
 
 /* ---- point.c ---- */

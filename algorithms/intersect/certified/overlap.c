@@ -45,23 +45,15 @@ static real square_distance(const struct source *c, real t, real x, real y)
  * Newton's method approaches slowly, by the derivative's zero. */
 static real match(const struct source *c, real x, real y, real near, real *t)
 {
-    const real many = 64, nearby = real_ldexp(1, -REAL_BITS / 6);
+    const real nearby = real_ldexp(1, -REAL_BITS / 6);
     struct spot p;
     real distance = source_match(c, x, y, 0, 1, t), at = *t;
-    for (int k = 0; k < 8; k++) {
-        real ddx, ddy;
-        source_at(c, at, &p);
-        source_second(c, at, &ddx, &ddy);
-        real square = ddx * ddx + ddy * ddy;
-        if (!(square > 0)) {
-            return distance;
-        }
-        at = clamp(at - (p.dx * ddx + p.dy * ddy) / square, 0, 1);
+    if (!source_cusp(c, &at) || real_abs(at - *t) > nearby) {
+        return distance;
     }
     source_at(c, at, &p);
-    bool cusp = real_max(real_abs(p.dx), real_abs(p.dy)) <= many * c->slope_noise;
     real there = real_max(real_abs(p.x - x), real_abs(p.y - y));
-    if (!cusp || real_abs(at - *t) > nearby || there > real_max(near, distance)) {
+    if (there > real_max(near, distance)) {
         return distance;
     }
     *t = at;

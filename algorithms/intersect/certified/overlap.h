@@ -20,6 +20,9 @@ real source_match(const struct source *c, real x, real y, real lo, real hi, real
 /* f'' by the local parameter, about. */
 void source_second(const struct source *c, real t, real *ddx, real *ddy);
 
+/* Moves t to where the derivative is nearest to 0, by Newton's method; is it no more than rounding there? */
+bool source_cusp(const struct source *c, real *t);
+
 /* ---- overlap_ends.c ---- */
 
 /* Adds the arc to the records; false: it is no longer than its ends are uncertain, or there is no room. */

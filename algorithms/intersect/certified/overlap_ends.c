@@ -1,11 +1,13 @@
-/* How far the ends of a shared arc are known, and pairs that are nearer to one than that.
+/* How far the ends of a shared arc are known, and pairs at a cusp of it.
  *
  * An end of f, say, is known exactly in t; its place on g to the distance of the arcs over g's speed.  Where
- * g has a cusp there, it is known to the root of the distance over half the second derivative only; and on
- * the other side of the cusp, where the gap grows with the third power of the parameter, pairs are settled
- * with twice the digits at best.  So what is nearer to the end than that, in both parameters, belongs to the
- * overlap, whose outer rectangle holds it: nothing is lost.  Where it takes too long all the same, these
- * rectangles become larger. */
+ * g has a cusp there, it is known to the root of the distance over half the second derivative only.
+ *
+ * Beside a cusp, be it at an end or inside, the one curve before it and the other after it have a gap that
+ * grows with the third power of the parameter: so near to it pairs are settled with twice the digits at best.
+ * What is in the overlap's outer rectangle and as near to the cusp as an end would be known, in both
+ * parameters, belongs to the overlap, whose record holds it: nothing is lost.  Where it takes long all the
+ * same, `wider` makes this larger. */
 #include "graphs.h"
 #include "overlap.h"
 
@@ -74,7 +76,7 @@ bool overlap_record(struct solver *z, const struct shared *x, real distance)
     return is_some(o);
 }
 
-/* Nearer to an end of the domain than is known, it is that. */
+/* The ends of the arc; where the outer range ends with the domain, the domain's. */
 static real end_of(const struct interval *outer, const struct interval *inner, bool last)
 {
     if (last ? outer->hi == 1 : outer->lo == 0) {
@@ -83,45 +85,36 @@ static real end_of(const struct interval *outer, const struct interval *inner, b
     return last ? (outer->hi + inner->hi) / 2 : (outer->lo + inner->lo) / 2;
 }
 
-/* Does an arc end at a cusp of c? */
-static bool turns(const struct source *c, const struct interval *outer, const struct interval *inner,
-                  real distance)
-{
-    real most = 2 * distance + 64 * c->node_error;
-    return is_cusp(c, end_of(outer, inner, false), most) || is_cusp(c, end_of(outer, inner, true), most);
-}
-
 bool overlap_widen(struct solver *z)
 {
     const int times = 16, most = 4096;
     const struct level *v = &z->level[0];
-    bool any = false;
+    if (!z->turns || times * z->wider > most) {
+        return false;
+    }
     z->wider = times * z->wider;
-    for (int i = 0; i < z->out->overlaps && z->wider <= most; i++) {
+    for (int i = 0; i < z->out->overlaps; i++) {
         struct overlap *o = &z->out->overlap[i], now = *o;
-        if (!turns(&v->f, &o->t_outer, &o->t_inner, o->distance) &&
-            !turns(&v->g, &o->s_outer, &o->s_inner, o->distance)) {
-            continue;
-        }
         range_make(z, &v->f, end_of(&o->t_outer, &o->t_inner, false), end_of(&o->t_outer, &o->t_inner, true),
                    o->distance, &now.t_outer, &now.t_inner);
         range_make(z, &v->g, end_of(&o->s_outer, &o->s_inner, false), end_of(&o->s_outer, &o->s_inner, true),
                    o->distance, &now.s_outer, &now.s_inner);
         if (is_some(&now)) {
             *o = now;
-            any = true;
         }
     }
-    return any;
+    return true;
 }
 
-/* What of the outer range is no farther from an end than that is known. */
-static struct interval corner(const struct solver *z, const struct source *c, const struct interval *outer,
-                              const struct interval *inner, bool last, real distance)
+/* Is all of a no farther from a cusp of c than that is known?  *near: is there one not far? */
+static bool is_at_cusp(const struct solver *z, const struct source *c, const struct interval *a,
+                       real distance, bool *near)
 {
-    real end = end_of(outer, inner, last), pad = uncertainty(z, c, end, distance);
-    struct interval out = {real_max(outer->lo, end - pad), real_min(outer->hi, end + pad)};
-    return out;
+    const real small = real_ldexp(1, -REAL_BITS / 6);
+    real middle = (a->lo + a->hi) / 2, at = middle;
+    *near = source_cusp(c, &at) && real_abs(at - middle) <= small;
+    real pad = *near ? uncertainty(z, c, at, distance) : (real)0;
+    return *near && at - pad <= a->lo && a->hi <= at + pad;
 }
 
 static bool lies_within(const struct interval *a, const struct interval *b)
@@ -129,19 +122,24 @@ static bool lies_within(const struct interval *a, const struct interval *b)
     return b->lo <= a->lo && a->hi <= b->hi;
 }
 
-bool overlap_ends(const struct solver *z, const struct interval *t, const struct interval *s)
+bool overlap_turns(struct solver *z, const struct interval *t, const struct interval *s)
 {
+    const real small = real_ldexp(1, -REAL_BITS / 4);
     const struct level *v = &z->level[0];
+    if (t->hi - t->lo > small || s->hi - s->lo > small) {
+        return false;
+    }
     for (int i = 0; i < z->out->overlaps; i++) {
         const struct overlap *o = &z->out->overlap[i];
-        bool within = lies_within(t, &o->t_outer) && lies_within(s, &o->s_outer);
-        for (int last = 0; last <= 1 && within; last++) {
-            struct interval at = corner(z, &v->f, &o->t_outer, &o->t_inner, last, o->distance);
-            struct interval as =
-                corner(z, &v->g, &o->s_outer, &o->s_inner, (last != 0) != o->reversed, o->distance);
-            if (lies_within(t, &at) && lies_within(s, &as)) {
-                return true;
-            }
+        bool near_f, near_g;
+        if (!lies_within(t, &o->t_outer) || !lies_within(s, &o->s_outer)) {
+            continue;
+        }
+        bool of_f = is_at_cusp(z, &v->f, t, o->distance, &near_f);
+        bool of_g = is_at_cusp(z, &v->g, s, o->distance, &near_g);
+        z->turns = z->turns || (near_f && near_g);
+        if (of_f && of_g) {
+            return true;
         }
     }
     return false;
