@@ -394,7 +394,9 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     if (look && is_busy(z, level)) {
         return OPEN;
     }
-    if (look && zoom(z, level, x, whole ? shorter : (real)1, &c)) {
+    /* level 1 knows more digits, however wide it is */
+    bool digits = level == 0 && !v->f.rational && !v->g.rational;
+    if (look && zoom(z, level, x, whole && !digits ? shorter : (real)1, &c)) {
         return CLOSED;
     }
     if (!narrow && !whole) {
