@@ -288,7 +288,8 @@ FATLINE_API struct fatline_paths_workspace *fatline_paths_workspace_init(void *m
  * path: every point at two parameters, but joints) lies on both spans of some record; each pair of segments
  * is solved as by fatline_intersect or fatline_batch, and records of one solution at joints are made one.
  * Records are sorted by the place on a, (a.first, a.lo), then on b; of one path a is the earlier span, but of
- * an overlap.  An arc that one segment runs over twice remains as CANDIDATE.
+ * an overlap.  An arc that one segment runs over twice remains as a CANDIDATE around it, a cusp
+ * as a narrow one.
  *
  * options may be NULL; here 0 as a tolerance stands for 1e-10, since a segment of length L in a path of size
  * S is known to about S / L roundings; max_steps is of each pair.  first is 0.

@@ -9,6 +9,12 @@
  * all parts that are short enough are closed; what remains when they are as narrow as asked, a cusp, is a
  * CANDIDATE.
  *
+ * A polynomial cubic has a closed form instead (loop_cubic.c).
+ *
+ * Where another curve comes back nearly as it went, at a cusp or a line that is folded, candidates are many:
+ * if they are too many, the triangle is cut again with a tolerance 64 times as wide, and so on, and
+ * candidates that touch become one.
+ *
  * Of two curves with a joint, the first pair is that of neighbours.
  *
  * Of one curve a record's t is below its s, and none is found twice.  The ends of a closed curve, t = 0 and s
@@ -18,6 +24,7 @@
  * Rounding of d.A, A = A~ + e with |e| <= error in each coordinate: error |d|_1, and 2 u |A~|_1 |d|_1 in
  * 1-norms of products; speed bounds |A|_1. */
 #include "evaluate.h"
+#include "loops.h"
 
 static bool goes_along(const struct node *a, real dx, real dy)
 {
@@ -132,9 +139,73 @@ static void begin_with_joint(struct solver *z, const struct rest *rest)
     begin_with_neighbours(z, z->root_f, z->root_g);
 }
 
+static bool is_narrow(const struct problem *p, const struct crossing *c)
+{
+    return c->t.hi - c->t.lo <= p->bounds.tolerance_t && c->s.hi - c->s.lo <= p->bounds.tolerance_s;
+}
+
+static int count_candidates(const struct crossings *out)
+{
+    int count = 0;
+    for (int i = 0; i < out->count; i++) {
+        count += out->at[i].standing == CANDIDATE;
+    }
+    return count;
+}
+
+/* SOLVED becomes OUT_OF_STEPS if a CANDIDATE is wider than asked. */
+static enum outcome outcome_by_width(const struct problem *p, enum outcome outcome,
+                                     const struct crossings *out)
+{
+    for (int i = 0; i < out->count && outcome == SOLVED; i++) {
+        if (out->at[i].standing == CANDIDATE && !is_narrow(p, &out->at[i])) {
+            outcome = OUT_OF_STEPS;
+        }
+    }
+    return outcome;
+}
+
+/* An eighth of the steps for one search. */
+static enum outcome search_once(struct problem *q, int max_steps, struct workspace *w, struct crossings *out)
+{
+    int more = max_steps / 8 + 1;
+    q->max_steps = more < max_steps - w->steps ? w->steps + more : max_steps;
+    out->count = 0;
+    out->merged = false;
+    return certified_search(q, w, out, begin_with_triangle, NULL);
+}
+
+/* Where there are too many candidates for the list, the stack or the steps, coarser ones, which are fewer. */
+static enum outcome search_triangle(const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    const real widest = (real)1 / 64, times = 64;
+    const int few = 32;
+    struct problem q = *p;
+    enum outcome outcome = search_once(&q, p->max_steps, w, out);
+    while ((out->merged || outcome == OUT_OF_ROOM || w->steps >= q.max_steps) && w->steps < p->max_steps &&
+           q.bounds.tolerance_t < widest) {
+        q.bounds.tolerance_t = real_min(widest, times * q.bounds.tolerance_t);
+        q.bounds.tolerance_s = real_min(widest, times * q.bounds.tolerance_s);
+        outcome = search_once(&q, p->max_steps, w, out);
+    }
+    if (count_candidates(out) > few || q.bounds.tolerance_t > p->bounds.tolerance_t) {
+        candidates_unite(out);
+    }
+    return outcome_by_width(p, outcome, out);
+}
+
 static enum outcome find_loops(const struct problem *p, struct workspace *w, struct crossings *out)
 {
-    return certified_search(p, w, out, begin_with_triangle, NULL);
+    struct crossing c;
+    switch (cubic_loop_find(&p->f, &c)) {
+    case LOOP_NONE:
+        return SOLVED;
+    case LOOP_FOUND:
+        crossings_add(out, &c);
+        return outcome_by_width(p, SOLVED, out);
+    default:
+        return search_triangle(p, w, out);
+    }
 }
 
 static enum outcome find_beside_joint(const struct problem *p, struct workspace *w, struct crossings *out)
