@@ -47,6 +47,10 @@ static const struct {
     {"{\"id\":\"a\",\"f\":{\"points\":[[0,0],[1,1]],\"domain\":[1,1]}}",
      "f.domain: its ends are not in order"},
     {"{\"id\":\"a\",\"f\":{\"points\":[[0,0],[1,1]],\"domain\":[0,{}]}}", "f.domain[1]: an object, expected"},
+    {"{\"id\":\"a\",\"f\":{\"points\":[[0,0],[1,1]],\"wieghts\":[1,2]}}",
+     "f.wieghts: unknown, expected points, weights, degree, domain, f64 or w64"},
+    {"{\"id\":\"a\",\"f\":{\"points\":[[0,0],[1,1]]},\"g\":{\"Points\":[[0,0],[1,1]]}}",
+     "g.Points: unknown, expected points"},
     {"{\"id\":\"a\",\"f\":{\"points\":[[0,0],[1,1]]},\"g\":3}", "g: an integer, expected an object"},
 };
 

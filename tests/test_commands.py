@@ -72,6 +72,21 @@ def test_two_curves_in_one_line():
     assert lo <= 0.7071067811865476 <= hi + 1e-16 and hi - lo <= 1e-12, row
 
 
+def test_misspelt_fields():
+    """In a curve an error; beside the curves a note, once, if it looks like one of ours; others are the user's own."""
+    good = CASE % "a"
+    expect(fatline("solve", text=good.replace("points", "piont", 1)), 65, "stdin:1: f.piont: unknown, expected points")
+    for word, meant in (("expectd", "expected"), ("claas", "class"), ("expetced", "expected"), ("nearr", "near")):
+        line = good[:-1] + f',"{word}":3}}\n'
+        told = fatline("solve", "--quiet", text=line + line)
+        assert len(rows(expect(told, 0))) == 2
+        assert told.stderr == f"stdin:1: {word}: a field that is not read; is {meant} meant?\n", told.stderr
+    own = good[:-1] + ',"flags":[],"author":1,"expected_by":2}'
+    assert fatline("solve", "--quiet", text=own).stderr == ""
+    mark = "\ufeff"
+    assert rows(fatline("solve", text=mark + good)) == rows(fatline("solve", text=good)) != []
+
+
 def test_roots():
     measured = rows(expect(fatline("roots", "--rows", "--degree", "4,8", "--accuracy", "7,14,20"), 0))
     assert len(measured) == 4 * 2 * 3 * (1 + 3)  # kinds, degrees, finders; an order and three accuracies

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../../algorithms/bezier.h"
+#include "../run/progress.h"
 #include "case_fields.h"
 
 enum { ID_MAX = 255 };
@@ -110,10 +111,13 @@ static bool read_domain(const struct fields *r, const char *curve, const json_t 
 
 bool case_curve_read(const struct fields *r, const char *name, const json_t *v, struct case_curve *c)
 {
+    static const char *const known[] = {"points", "weights", "degree", "domain", "f64", "w64", NULL};
+    char where[FIELD_MAX];
     if (!json_is_object(v))
         return fields_complain(r, name, "%s, expected an object with points", fields_type(v));
-    return read_points(r, name, v, c) && read_degree(r, name, v, c->degree) && read_weights(r, name, v, c) &&
-           read_domain(r, name, v, c);
+    snprintf(where, sizeof where, "%s.", name);
+    return fields_are_known(r, where, v, known) && read_points(r, name, v, c) &&
+           read_degree(r, name, v, c->degree) && read_weights(r, name, v, c) && read_domain(r, name, v, c);
 }
 
 static bool read_text(const struct fields *r, const char *field, const json_t *v, char **text)
@@ -150,10 +154,31 @@ static bool read_near(const struct fields *r, const json_t *near, struct test_ca
     return fields_array(r, "near.ambiguous", reasons, -1);
 }
 
+/* Lines may carry any other fields; one that is spelt almost as one of ours is told, once. */
+static void note_near_misses(const struct fields *r, const json_t *line)
+{
+    static const char *const known[] = {
+        "id",    "f",      "g",    "class",         "expected",        "near",
+        "flags", "family", "note", "planted_count", "planted_overlap", "planted",
+        "gap",   "source", NULL};
+    static bool noted;
+    const char *name;
+    json_t *value;
+    json_object_foreach((json_t *)line, name, value)
+    {
+        const char *meant = strlen(name) > 3 ? fields_near_miss(name, known) : NULL;
+        if (!meant || noted)
+            continue;
+        noted = true;
+        progress_note("%s:%d: %.60s: a field that is not read; is %s meant?", r->file, r->line, name, meant);
+    }
+}
+
 static bool read_line(const struct fields *r, const json_t *line, struct test_case *c)
 {
     if (!json_is_object(line))
         return fields_complain(r, "line", "%s, expected an object with id, f, g", fields_type(line));
+    note_near_misses(r, line);
     return read_labels(r, line, c) && case_curve_read(r, "f", json_object_get(line, "f"), &c->f) &&
            case_curve_read(r, "g", json_object_get(line, "g"), &c->g) &&
            expected_read(r, json_object_get(line, "expected"), &c->expected) &&
@@ -179,7 +204,7 @@ enum case_status case_parse(const char *text, const char *file, int line_number,
     c->file = file;
     c->line_number = line_number;
     mpq_inits(c->f.lo, c->f.hi, c->g.lo, c->g.hi, NULL);
-    c->line = parse(text, &json);
+    c->line = parse(fields_skip_mark(text, line_number), &json);
     if (!c->line)
         fields_complain(&r, "line", "%s (column %d), expected one JSON object", json.text, json.column);
     if (c->line && read_line(&r, c->line, c))

@@ -122,6 +122,34 @@ bool fields_are_known(const struct fields *r, const char *where, const json_t *o
     return true;
 }
 
+/* One edit apart, or none? */
+static bool is_near(const char *a, const char *b)
+{
+    size_t n, m;
+    while (*a && *a == *b) {
+        a++;
+        b++;
+    }
+    for (n = strlen(a), m = strlen(b); n && m && a[n - 1] == b[m - 1]; m--)
+        n--;
+    return (n <= 1 && m <= 1) || (n == 2 && m == 2 && a[0] == b[1] && a[1] == b[0]);
+}
+
+const char *fields_near_miss(const char *name, const char *const *known)
+{
+    if (is_among(name, known))
+        return NULL;
+    for (; *known; known++)
+        if (is_near(name, *known))
+            return *known;
+    return NULL;
+}
+
+const char *fields_skip_mark(const char *text, int line)
+{
+    return line <= 1 && !strncmp(text, "\xef\xbb\xbf", 3) ? text + 3 : text;
+}
+
 mpq_t *rationals_new(int n)
 {
     mpq_t *q = memory_new((size_t)n, sizeof *q);

@@ -42,6 +42,13 @@ bool fields_array(const struct fields *r, const char *field, const json_t *v, in
 bool fields_are_known(const struct fields *r, const char *where, const json_t *object,
                       const char *const *known);
 
+/* Is `name` one of `known`, which ends with NULL, but for one letter too many, too few, another or two
+ * exchanged?  That one, or NULL; NULL too if it is one itself. */
+const char *fields_near_miss(const char *name, const char *const *known);
+
+/* The text without the byte order mark that the first line of a file may begin with. */
+const char *fields_skip_mark(const char *text, int line);
+
 /* Array of n initialised rationals; memory that cannot be had ends the program with status 2. */
 mpq_t *rationals_new(int n);
 void rationals_free(mpq_t *q, int n);
