@@ -29,7 +29,7 @@ COMMON_MODULES = case case_fields case_expected number random json_text selectio
                  referee referee_truth referee_place referee_pair referee_krawczyk referee_cells \
                  statistics noise regression order_estimate close_up cost_law \
                  region_case region_random
-REAL_MODULES   = real_text problem case_set algorithms_named guard external solving solve_options \
+REAL_MODULES   = real_text problem place case_set algorithms_named guard external solving solve_options \
                  judge judge_points judge_strict decide judge_groups judge_curves judge_overlaps answer answer_table \
                  check_options check_case check_table check_estimate check_worker \
                  clock instructions time_worker contestant compare_builds compare_files timing batch_set \

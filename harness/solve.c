@@ -43,7 +43,7 @@ static void write_answer(struct solver *s, const struct answer *a, const struct 
     if (s->human)
         answer_table_write(s->out, a, p, message);
     else
-        answer_write(s->out, a, extra);
+        answer_write(s->out, a, &p->f, extra);
     json_decref(extra);
     if (s->flush)
         fflush(s->out);

@@ -75,7 +75,7 @@ static char *line_of(const struct answer *a, json_t *extra)
     size_t size;
     FILE *stream = open_memstream(&text, &size);
 
-    answer_write(stream, a, extra);
+    answer_write(stream, a, NULL, extra);
     fclose(stream);
     return text;
 }

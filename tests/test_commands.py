@@ -59,6 +59,7 @@ def test_two_curves_in_one_line():
         row, = rows(expect(fatline("solve", *LINE, "--tolerance", "1e-10", precision=precision), 0))
         assert (row["outcome"], row["precision"], row["id"]) == ("SOLVED", precision, "own")
         assert len(row["crossings"]) == 1
+        assert row["crossings"][0]["point"] == [0.5, 0.5]
         for parameter in "ts":
             lo, hi = map(number, row["crossings"][0][parameter])
             assert lo <= 0.5 <= hi and hi - lo <= 1e-10
@@ -70,6 +71,10 @@ def test_two_curves_in_one_line():
     row, = rows(expect(fatline("solve", "-f", "1,0,1 1,1,1 0,1,2", "-g", "0,0;1,1"), 0))
     lo, hi = row["crossings"][0]["s"]
     assert lo <= 0.7071067811865476 <= hi + 1e-16 and hi - lo <= 1e-12, row
+    assert all(abs(x - 0.7071067811865476) < 1e-12 for x in row["crossings"][0]["point"]), row
+    domain = CASE.replace("[1,1]]", '[3,3]],"domain":[-2,4]', 1) % "d"  # f(t) = ((t + 2) / 2, (t + 2) / 2)
+    row, = rows(expect(fatline("solve", text=domain), 0))
+    assert all(abs(x - 0.5) < 1e-12 for x in row["crossings"][0]["point"]), row
 
 
 def test_misspelt_fields():

@@ -81,6 +81,24 @@ def point(segment, t):
     return x / w, y / w
 
 
+def points(precision):
+    """Each row of a crossing has its point, which the second path has in the record too."""
+    size = ["--random", "60" if precision == "double" else "12", "--seed", "7"]
+    walks = [json.loads(line)["segments"] for line in runner.expect(fatline(precision, "--print", *size), 0).splitlines()]
+    told = rows(fatline(precision, *size))
+    circle = '{"id":"c","d":"M1005 0A5 5 0 0 1 995 0A5 5 0 0 1 1005 0Z"}'
+    told_too = of_text(precision, circle, '{"id":"l","d":"M990 3H1010"}')
+    assert told and sorted(round(row["point"][0]) for row in told_too) == [996, 1004]
+    assert all(abs(row["point"][1] - 3) < 1e-9 for row in told_too)
+    for row in told:
+        for walk, (first, last), span in zip(walks, row["segments"], (row["t"], row["s"])):
+            if first == last:
+                at = point(walk[first], (number(span[0]) + number(span[1])) / 2)
+                assert max(abs(a - b) for a, b in zip(at, row["point"])) < 1e-8, row
+    there_and_back, = of_text(precision, '{"id":"a","d":"M0 0H4"}', '{"id":"b","d":"M1 0H3"}')
+    assert there_and_back["standing"] == "OVERLAP" and "point" not in there_and_back
+
+
 def arcs(precision):
     """Every kind of arc lies on its circle, on the side that the flags ask for; circles cross where they must."""
     for large in (0, 1):
@@ -186,4 +204,4 @@ def beside(precision):
 
 
 if __name__ == "__main__":
-    run_tests(at_each_precision(random_walks, forms, arcs, svg_file, loops, mistakes, usage, times, beside))
+    run_tests(at_each_precision(random_walks, points, forms, arcs, svg_file, loops, mistakes, usage, times, beside))

@@ -4,6 +4,7 @@
 #include "answer.h"
 #include "../cases/json_text.h"
 #include "../cases/number.h"
+#include "../cases/place.h"
 
 /* ---- writing ---- */
 
@@ -16,14 +17,17 @@ static void write_interval(FILE *stream, const char *name, struct interval i)
     fputc(']', stream);
 }
 
-static void write_crossing(FILE *stream, const struct crossing *c)
+static void write_crossing(FILE *stream, const struct crossing *c, const struct curve *f)
 {
     fputc('{', stream);
     write_interval(stream, "t", c->t);
     fputc(',', stream);
     write_interval(stream, "s", c->s);
-    fprintf(stream, ",\"standing\":\"%s\",\"at_most\":%d,\"multiplicity\":%d}", standing_name(c->standing),
+    fprintf(stream, ",\"standing\":\"%s\",\"at_most\":%d,\"multiplicity\":%d", standing_name(c->standing),
             c->at_most, c->multiplicity);
+    if (f)
+        place_write(stream, f, place_middle(c->t.lo, c->t.hi));
+    fputc('}', stream);
 }
 
 static void write_overlap(FILE *stream, const struct overlap *o)
@@ -58,7 +62,7 @@ static void write_more(FILE *stream, json_t *extra)
     }
 }
 
-void answer_write(FILE *stream, const struct answer *a, json_t *extra)
+void answer_write(FILE *stream, const struct answer *a, const struct curve *f, json_t *extra)
 {
     fputs("{\"id\":", stream);
     json_text_write_string(stream, a->id);
@@ -70,7 +74,7 @@ void answer_write(FILE *stream, const struct answer *a, json_t *extra)
     for (int i = 0; i < a->crossings->count; i++) {
         if (i)
             fputc(',', stream);
-        write_crossing(stream, &a->crossings->at[i]);
+        write_crossing(stream, &a->crossings->at[i], f);
     }
     fputs("],\"overlaps\":[", stream);
     for (int i = 0; i < a->crossings->overlaps; i++) {

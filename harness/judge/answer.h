@@ -1,7 +1,7 @@
 /* A line of `fatline solve`: what one algorithm said of one case.  Compiled for each precision.
  *
  * {"id","algorithm","precision","tolerance","outcome","crossings":[{"t":[lo,hi],"s":[lo,hi],"standing",
- *  "at_most","multiplicity"}],"overlaps":[{"t_outer","t_inner","s_outer","s_inner","reversed","exact",
+ *  "at_most","multiplicity","point":[x,y]}],"overlaps":[{"t_outer","t_inner","s_outer","s_inner","reversed","exact",
  *  "distance"}],"steps"}; doubles as numbers that read back bit for bit, quad and multi as strings. */
 #ifndef FATLINE_ANSWER_H
 #define FATLINE_ANSWER_H
@@ -20,8 +20,9 @@ struct answer {
     struct crossings *crossings;
 };
 
-/* extra: an object whose members follow those above, or NULL; it stays the caller's. */
-void answer_write(FILE *stream, const struct answer *a, json_t *extra);
+/* f: of the case, for the points, or NULL: they are not written.  extra: an object whose members follow those
+ * above, or NULL; it stays the caller's. */
+void answer_write(FILE *stream, const struct answer *a, const struct curve *f, json_t *extra);
 
 /* Reads a line that an external program wrote; id and algorithm are copied into the given buffers, the
  * records into a->crossings, which the caller supplies.  Beside the fields above it may have

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <mpfr.h>
 
-#include "../../algorithms/core/bernstein.h"
 #include "../cases/number.h"
+#include "../cases/place.h"
 
 /* More records than ROWS_MAX are for programs: they are written as JSON. */
 enum { ROWS_MAX = 40, POINT_DIGITS = 10 };
@@ -30,11 +30,6 @@ static void decimal_text(real a, int digits, char text[TEXT])
     mpq_clear(q);
 }
 
-static real middle(struct interval i)
-{
-    return i.lo + (i.hi - i.lo) / 2;
-}
-
 /* As many digits as the wider of the two intervals tells, and two more. */
 static int digits_told(const struct crossing *c)
 {
@@ -45,25 +40,15 @@ static int digits_told(const struct crossing *c)
     return digits < 3 ? 3 : digits > DIGITS_MAX ? DIGITS_MAX : digits;
 }
 
-/* f at t, a parameter of its domain. */
-static void point(const struct curve *f, real t, real *x, real *y)
-{
-    real local = (t - f->domain.lo) / (f->domain.hi - f->domain.lo);
-    local = real_max((real)0, real_min((real)1, local));
-    real w = f->w ? bernstein_value(f->degree, f->w, local) : (real)1;
-    *x = bernstein_value(f->degree, f->x, local) / w;
-    *y = bernstein_value(f->degree, f->y, local) / w;
-}
-
 static void write_crossing(FILE *stream, const struct crossing *c, const struct curve *f, int width)
 {
     char t[TEXT], s[TEXT], wide[TEXT], at_x[TEXT], at_y[TEXT];
     real x, y;
     int digits = digits_told(c);
-    decimal_text(middle(c->t), digits, t);
-    decimal_text(middle(c->s), digits, s);
+    decimal_text(place_middle(c->t.lo, c->t.hi), digits, t);
+    decimal_text(place_middle(c->s.lo, c->s.hi), digits, s);
     decimal_text(real_max(c->t.hi - c->t.lo, c->s.hi - c->s.lo), 2, wide);
-    point(f, middle(c->t), &x, &y);
+    place_at(f, place_middle(c->t.lo, c->t.hi), &x, &y);
     decimal_text(x, POINT_DIGITS, at_x);
     decimal_text(y, POINT_DIGITS, at_y);
     fprintf(stream, "  %-*s %-*s (%s, %s)  %s", width, t, width, s, at_x, at_y, standing_name(c->standing));

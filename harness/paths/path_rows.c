@@ -5,6 +5,7 @@
 
 #include "path_rows.h"
 #include "../cases/number.h"
+#include "../cases/place.h"
 #include "../run/progress.h"
 
 static void write_ends(FILE *stream, const char *name, real lo, real hi)
@@ -34,8 +35,15 @@ static const struct path_record *record_at(const struct path_job *job, int i)
     return &job->records.at[job->records.order[i]];
 }
 
+/* In the middle of the span, or at the first joint in it. */
+static void write_point(FILE *stream, const struct path_span *s, const struct path *path)
+{
+    const struct curve *f = &path->segment[s->first];
+    place_write(stream, f, s->first == s->last ? place_middle(s->lo, s->hi) : (real)1);
+}
+
 static void write_record(FILE *stream, const char *head, const struct path_record *r,
-                         const struct path_overlap *overlap)
+                         const struct path_overlap *overlap, const struct path *path)
 {
     fprintf(stream, "%s,\"segments\":[[%d,%d],[%d,%d]]", head, r->a.first, r->a.last, r->b.first, r->b.last);
     write_ends(stream, "t", r->a.lo, r->a.hi);
@@ -50,6 +58,7 @@ static void write_record(FILE *stream, const char *head, const struct path_recor
         real_write(stream, o->distance);
     } else {
         fprintf(stream, ",\"standing\":\"%s\",\"at_most\":%d", standing_name(r->standing), r->at_most);
+        write_point(stream, &r->a, path);
     }
     if (r->joint)
         fputs(",\"joint\":true", stream);
@@ -63,7 +72,8 @@ void path_rows_write(FILE *stream, const struct path_job *job)
     char *head = head_of(job);
 
     for (int i = 0; i < job->records.count; i++)
-        write_record(stream, head ? head : "{\"id\":null", record_at(job, i), job->records.overlap);
+        write_record(stream, head ? head : "{\"id\":null", record_at(job, i), job->records.overlap,
+                     &job->a->path);
     free(head);
 }
 
