@@ -22,7 +22,7 @@ PRECISIONS = double quad multi
 # ---- what is built from what ---------------------------------------------------------------------------------
 
 COMMON_MODULES = case case_fields case_expected number random json_text selection memory options interrupt row progress resume \
-                 path_file \
+                 path_file path_xml \
                  exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation \
                  exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter \
                  exact_answer exact_apart truth_compare known_solutions \

@@ -131,6 +131,13 @@ def svg_file(precision):
     answer = of_text(precision, text, text)
     pairs = [row["ids"] for row in answer]
     assert ["first", "path2"] in pairs and ["path2", "first"] in pairs, answer
+    more = text.replace('"first"', '"a &amp;&#x26;&#233;&lt;&bad;&#xD800;"').replace("<g>", "<g><rect width='1'/><use/><rect/>")
+    for mark in ("", "\ufeff"):
+        done = fatline(precision, "--quiet", "--print", "-", text=mark + more)
+        assert [row["id"] for row in rows(done)] == ["a &&é<&bad;&#xD800;", "path2"], done.stdout
+        assert done.stderr == "stdin: elements other than path are passed over: rect, use\n", done.stderr
+    for plain in ("M0 0L4 4", '{"id":"a","d":"M0 0L4 4"}'):
+        assert fatline(precision, "--print", "-", text="\ufeff" + plain).stdout == fatline(precision, "--print", "-", text=plain).stdout != ""
 
 
 def loops(precision):
@@ -144,6 +151,9 @@ MISTAKES = [
     ('{"id":"p","segments":[],"d":"M0 0"}', "d: together with segments, expected either"),
     ('{"id":7,"segments":[]}', "id: an integer, expected text"),
     ('{"segments":[]}', "id: missing, expected text"),
+    ('{"id":"p","segments":[]}', "segments: empty, expected segments"),
+    ('{"id":"p","d":""}', "d: empty, expected SVG path data"),
+    ('{"id":"p","d":" \\n"}', "d: empty, expected SVG path data"),
     ('{"id":"p","segments":3}', "segments: an integer, expected an array"),
     ('{"id":"p","segments":[[[0,0]]]}', "segments[0]: 1 point, expected 2 to 33"),
     ('{"id":"p","segments":[[[0,0],[1,1]],[[0,0],[1]]]}', "segments[1][1]: 1 entry, expected 2"),

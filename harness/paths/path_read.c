@@ -10,6 +10,7 @@
 #include "../run/progress.h"
 #include "path_file.h"
 #include "path_svg.h"
+#include "path_xml.h"
 
 enum { ID_MAX = 255 };
 
@@ -112,6 +113,8 @@ static bool read_segments(const struct fields *r, const json_t *v, struct path_d
     if (!json_is_array(v))
         return fields_complain(r, "segments", "%s, expected an array of segments [[x, y], ...]",
                                fields_type(v));
+    if (json_array_size(v) == 0)
+        return fields_complain(r, "segments", "empty, expected segments [[x, y], ...]");
     json_array_foreach(v, i, segment)
     {
         char name[40];
@@ -132,6 +135,8 @@ static bool read_data(const struct fields *r, const json_t *v, struct path_draft
 
     if (!json_is_string(v))
         return fields_complain(r, "d", "%s, expected text of SVG path data", fields_type(v));
+    if (!json_string_value(v)[strspn(json_string_value(v), " \t\r\n\f")])
+        return fields_complain(r, "d", "empty, expected SVG path data, \"M ...\"");
     return path_svg_read(json_string_value(v), d, &error) ||
            fields_complain(r, "d", "character %zu: %s", error.at + 1, error.what);
 }
@@ -265,8 +270,10 @@ static int read_tag(struct path_set *set, struct svg_file *f, char *tag, char *e
     snprintf(made, sizeof made, "path%d", ++f->paths);
     if (!data)
         return 0;
-    if (id)
+    if (id) {
         *id_end = 0;
+        path_xml_decode(id);
+    }
     *data_end = 0;
     return read_plain(set, f->file, id && *id ? id : made, f->whole, (size_t)(data - f->text), data);
 }
@@ -285,26 +292,23 @@ static char *tag_end(char *tag)
     return NULL;
 }
 
-/* The next <path ...> that is not in a comment, or NULL. */
 static char *next_tag(char *text)
 {
-    for (char *at = text; (at = strchr(at, '<')) != NULL; at++) {
-        if (!strncmp(at, "<!--", 4)) {
-            if (!(at = strstr(at + 4, "-->")))
-                return NULL;
-        } else if (!strncmp(at, "<path", 5) && at[5] && strchr(" \t\r\n", at[5]))
-            return at;
-    }
-    return NULL;
+    const char *tag = path_xml_tag(text, "path");
+
+    return tag ? text + (tag - text) : NULL;
 }
 
 static int read_svg(struct path_set *set, const char *file, char *text)
 {
     struct svg_file f = {file, text, strdup(text), 0};
     int worst = 0;
+    char others[100];
 
     if (strstr(text, "transform"))
         progress_note("%s: transformations are not applied", file);
+    if (path_xml_others(text, others, sizeof others))
+        progress_note("%s: elements other than path are passed over: %s", file, others);
     for (char *tag = next_tag(text), *end; tag; tag = next_tag(end)) {
         end = tag_end(tag);
         if (!end) {
@@ -324,13 +328,15 @@ static int read_svg(struct path_set *set, const char *file, char *text)
 
 int path_set_read(struct path_set *set, const char *file)
 {
-    char *text = path_file_read(file);
+    char *text = path_file_read(file), *whole;
     const char *name = strrchr(file, '/') ? strrchr(file, '/') + 1 : file;
     int status = 65;
     size_t begin;
 
     if (!text)
         return 2;
+    whole = text;
+    text = (char *)fields_skip_mark(text, 1);
     begin = strspn(text, " \t\r\n");
     if (!strcmp(file, "-"))
         file = name = "stdin";
@@ -340,6 +346,6 @@ int path_set_read(struct path_set *set, const char *file)
         status = read_plain(set, file, name, text, 0, text);
     else
         status = read_lines(set, file, text);
-    free(text);
+    free(whole);
     return status;
 }

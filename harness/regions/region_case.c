@@ -232,7 +232,7 @@ enum region_case_status region_case_parse(const char *text, const char *file, in
     mpq_init(c->drag);
     mpq_init(c->lo);
     mpq_init(c->hi);
-    c->line = json_loads(text, 0, &json_error);
+    c->line = json_loads(fields_skip_mark(text, line_number), 0, &json_error);
     bool good = json_is_object(c->line);
     if (!c->line)
         snprintf(error, 512, "%s:%d: JSON: %s, near column %d", file, line_number, json_error.text,
