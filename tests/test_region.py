@@ -31,6 +31,7 @@ def half_plane(precision):
             size = abs(a) + abs(b) + abs(c)
             assert abs(c) <= 1e-9 * size and abs(2 * a + c) <= 1e-9 * size, (method, lines)
             assert a + 2 * b + c > 0, (method, lines)
+    assert region(precision, [], "\ufeff" + json.dumps(PARABOLA) + "\n").returncode == 0
 
 
 def wrong_sign_is_other_side(precision):
