@@ -5,7 +5,7 @@
 
 extern const struct intersector certified_loops;
 
-enum { STEPS = REAL_BITS > 53 ? 4000 : STEPS_MAX };
+enum { STEPS = REAL_BITS > 113 ? 1500 : REAL_BITS > 53 ? 4000 : STEPS_MAX };
 enum { RUNS = REAL_BITS > 113 ? 20 : REAL_BITS > 53 ? 300 : 2000 };
 
 static struct solver loops;

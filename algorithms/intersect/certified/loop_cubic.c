@@ -16,10 +16,10 @@
  *
  * Rounding: the control points are exact and below 2 in size (struct bounds); everything from them on is in
  * fine.h, whose radii hold barring underflow.  a, b, c are below 16, 24, 12 and the cross products below
- * 2^10. A result that underflows errs by less than 2^-1070, so that without these errors D, cross(c, a),
- * cross(b, c) and the discriminant change by less than 2^-900: their radii are enlarged by that.  As 2^-200 <
- * |D| < 2^10, 1 / D does not underflow, and the radius of a quotient, above 2^-910, covers what does in it by
- * the factor that covers its own rounding. */
+ * 2^10. A result that underflows errs by less than 8 u REAL_LEAST, so that without these errors D, cross(c,
+ * a), cross(b, c) and the discriminant change by much less than tiny = 2^122 REAL_LEAST: their radii are
+ * enlarged by that. As 2^-200 < |D| < 2^10, 1 / D does not underflow, and the radius of a quotient, above
+ * 2^-10 tiny, covers what does in it by the factor that covers its own rounding. */
 #include "fine.h"
 #include "loops.h"
 
@@ -27,7 +27,7 @@
 
 static struct fine padded(struct fine a)
 {
-    const real tiny = real_ldexp(1, -900);
+    const real tiny = real_ldexp(REAL_LEAST, 122);
     a.rad += 2 * tiny;
     return a;
 }
