@@ -14,7 +14,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from runner import ROOT, run_tests
+
 FUZZ = ROOT / "build/fuzz"
 SECONDS = int(os.environ.get("FUZZ_SECONDS", "60"))
 OPTIONS = ["-len_control=0", "-max_len=1024", "-timeout=120", "-print_final_stats=1", "-seed=1"]
@@ -116,25 +117,15 @@ def library(folder):
 def main():
     if not shutil.which("clang"):
         print("clang is not installed")
-        return 77
+        sys.exit(77)
     built = subprocess.run(["make", "build/fuzz/library", "build/fuzz/planted"], cwd=ROOT, capture_output=True, text=True,
                            env={k: v for k, v in os.environ.items() if not k.startswith("MAKE")})
     if built.returncode != 0:
         print("clang does not build it: " + built.stderr.strip().splitlines()[-1])
-        return 77 if "fuzzer" in built.stderr else 1
-    failed = 0
-    for number, test in enumerate((planted_mistake, library), 1):
-        with tempfile.TemporaryDirectory() as folder:
-            try:
-                test(Path(folder))
-                print(f"ok {number} - {test.__name__}", flush=True)
-            except AssertionError as reason:
-                failed += 1
-                print(f"not ok {number} - {test.__name__}", flush=True)
-                print("# " + str(reason).replace("\n", "\n# "))
-    print("1..2")
-    return 1 if failed else 0
+        sys.exit(77 if "fuzzer" in built.stderr else 1)
+    with tempfile.TemporaryDirectory() as folder:
+        run_tests([(test.__name__, lambda test=test: test(Path(folder) / test.__name__)) for test in (planted_mistake, library)])
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
