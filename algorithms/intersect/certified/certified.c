@@ -75,7 +75,7 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->level_numbers = at;
     z->levels = z->pairs = z->solved = 0;
     z->next_look = w->steps + FIRST_LOOK;
-    z->suspicions = z->looks = z->overlap_looks = 0;
+    z->suspicions = z->looks = z->overlap_looks = z->rings = 0;
     z->alone = false;
 }
 
@@ -132,11 +132,30 @@ static void begin_with_all(struct solver *z, const struct rest *rest)
     pair_push(z, 0, z->root_f, z->root_g, 0);
 }
 
+/* What is proved about two cusps often holds for the pairs around them too. */
+static void cusps_first(struct solver *z)
+{
+    const struct level *v = &z->level[0];
+    for (int i = 0, last = z->pairs; i < last && z->pairs > 1;) {
+        struct pair at = z->pair[i];
+        struct node *f = &z->f.node[at.f], *g = &z->g.node[at.g];
+        node_prepare(&v->f, f);
+        node_prepare(&v->g, g);
+        if (f->wide && g->wide) {
+            z->pair[i] = z->pair[--last];
+            z->pair[last] = at;
+        } else {
+            i++;
+        }
+    }
+}
+
 static void begin_with_rest(struct solver *z, const struct rest *rest)
 {
     for (int i = 0; i < rest->count; i++) {
         pair_push_rectangle(z, &rest->at[i].t, &rest->at[i].s);
     }
+    cusps_first(z);
 }
 
 /* ---- one pair ---- */

@@ -18,7 +18,8 @@ enum {
     LEVELS_MAX = 4,
     NODES_MAX = 256, /* of each curve at a time */
     PAIRS_MAX = 1024,
-    SOLVED_MAX = 64
+    SOLVED_MAX = 64,
+    RINGS_MAX = 8
 };
 
 /* A curve of a level.  A point of the exact curve is its exact point at the same parameter.  Errors hold for
@@ -68,10 +69,10 @@ struct level {
     struct source f, g;
     struct interval t, s; /* of the problem's parameters */
     real scale;           /* max |coordinate| of both, at least 1 */
-    /* Of a level above 0: the record it stands for if it takes too long, how many records (-1: not begun) and
-     * pairs there were before it, and steps left. */
+    /* Of a level above 0: the record it stands for if it takes too long, how many records (-1: not begun),
+     * pairs and solved rectangles there were before it, and steps left. */
     struct crossing otherwise;
-    int records, pairs, steps;
+    int records, pairs, solved, steps;
 };
 
 struct pair {
@@ -85,6 +86,11 @@ struct pair {
 struct rectangle {
     struct interval t, s;
     int level;
+};
+
+/* Parameters of the problem; every solution within is in the core. */
+struct ring {
+    struct interval t, s, core_t, core_s;
 };
 
 struct solver {
@@ -105,6 +111,8 @@ struct solver {
     int suspicions; /* so often a gap was no more than rounding */
     bool alone;     /* shared arcs are not looked for: loops.c */
     int looks;      /* closer looks at pairs that would be candidates */
+    int rings;      /* so many there were; the last RINGS_MAX are kept */
+    struct ring ring[RINGS_MAX];
 };
 
 /* CLOSED: every solution of the pair is in some record.  OPEN: nothing is known. */
@@ -183,6 +191,9 @@ bool region_is_solved(const struct solver *z, int level, const struct zero *x);
 /* The same where nothing is proved: OPEN if there is no closer look to be had. */
 enum verdict region_look(struct solver *z, int level, const struct zero *x);
 
+/* All solutions of the region `clear` are in `core` (NULL: there are none), which this step has settled. */
+void region_clear(struct solver *z, int level, const struct zero *clear, const struct zero *core);
+
 /* From local parameters of a level to the problem's, rounded outwards. */
 struct interval level_t(const struct level *v, real lo, real hi);
 struct interval level_s(const struct level *v, real lo, real hi);
@@ -191,6 +202,8 @@ bool is_solved(const struct solver *z, int level, const struct interval *t, cons
 /* The rectangle of a level that was given up is no more than the record that stands for it. */
 void solved_shrink(struct solver *z, int level, const struct crossing *to);
 void solved_add(struct solver *z, const struct interval *t, const struct interval *s, int level);
+/* Forgets those that were added when there had been `from` of them. */
+void solved_forget(struct solver *z, int from);
 
 /* ---- zoom.c ---- */
 
@@ -228,6 +241,8 @@ void pair_push(struct solver *z, int level, int f, int g, int rest);
 void pair_push_rectangle(struct solver *z, const struct interval *t, const struct interval *s);
 /* Pushes what of the pair lies in the region instead of it; OPEN: there is no memory. */
 enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct zero *x);
+/* Pushes what of the pair lies around the region instead of it; OPEN: there is no memory. */
+enum verdict pair_push_around(struct solver *z, const struct pair *at, const struct zero *x);
 /* Halves the arc that is farther from straight; accepts the pair if neither needs it. */
 void pair_split(struct solver *z, const struct pair *at);
 /* The first split: both arcs in up to four parts, so that parts far from each other never wait.  false: no

@@ -32,10 +32,10 @@ struct interval level_s(const struct level *v, real lo, real hi)
 }
 
 /* A part of it that surely lies within; lo > hi: none does. */
-static struct interval level_inner(const struct interval *span, const struct node *a)
+static struct interval level_inner(const struct interval *span, real lo, real hi)
 {
-    struct interval out = {a->lo <= 0 ? span->lo : rounded(span, a->lo, 1),
-                           a->hi >= 1 ? span->hi : rounded(span, a->hi, -1)};
+    struct interval out = {lo <= 0 ? span->lo : rounded(span, lo, 1),
+                           hi >= 1 ? span->hi : rounded(span, hi, -1)};
     return out;
 }
 
@@ -82,6 +82,14 @@ void solved_shrink(struct solver *z, int level, const struct crossing *to)
             z->solved_at[i].t = to->t;
             z->solved_at[i].s = to->s;
         }
+    }
+}
+
+void solved_forget(struct solver *z, int from)
+{
+    const struct rectangle nowhere = {{2, 2}, {2, 2}, 0};
+    for (int i = z->solved > from + SOLVED_MAX ? z->solved - SOLVED_MAX : from; i < z->solved; i++) {
+        z->solved_at[i % SOLVED_MAX] = nowhere;
     }
 }
 
@@ -197,7 +205,7 @@ enum search zero_prove(struct solver *z, int level, const struct zero *x, real w
             continue;
         }
         struct interval at = around(&v->t, found->t, found->rt), as = around(&v->s, found->s, found->rs);
-        struct interval ut = level_inner(&v->t, &f), us = level_inner(&v->s, &g);
+        struct interval ut = level_inner(&v->t, f.lo, f.hi), us = level_inner(&v->s, g.lo, g.hi);
         int looked = 0;
         if (!is_solved(z, level, &at, &as) && !is_reported(z, &ut, &us)) {
             looked = report(z, level, found);
@@ -228,7 +236,7 @@ enum verdict zero_settle(struct solver *z, int level, const struct node *f, cons
                    : CLOSED;
     }
     if (z->solved > 0) {
-        struct interval nt = level_inner(&v->t, f), ns = level_inner(&v->s, g);
+        struct interval nt = level_inner(&v->t, f->lo, f->hi), ns = level_inner(&v->s, g->lo, g->hi);
         if (is_reported(z, &nt, &ns)) {
             return CLOSED;
         }
@@ -337,6 +345,23 @@ bool region_is_solved(const struct solver *z, int level, const struct zero *x)
     const struct level *v = &z->level[level];
     struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
     return is_solved(z, level, &t, &s);
+}
+
+void region_clear(struct solver *z, int level, const struct zero *clear, const struct zero *core)
+{
+    const struct level *v = &z->level[level];
+    struct ring r = {level_inner(&v->t, clear->t - clear->rt, clear->t + clear->rt),
+                     level_inner(&v->s, clear->s - clear->rs, clear->s + clear->rs),
+                     {2, 2},
+                     {2, 2}};
+    if (core) {
+        r.core_t = around(&v->t, core->t, core->rt);
+        r.core_s = around(&v->s, core->s, core->rs);
+    }
+    if (r.t.lo <= r.t.hi && r.s.lo <= r.s.hi) {
+        solved_add(z, &r.t, &r.s, is_busy(z, level) ? z->levels - 1 : 0);
+        z->ring[z->rings++ % RINGS_MAX] = r;
+    }
 }
 
 /* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if

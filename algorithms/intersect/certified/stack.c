@@ -55,9 +55,37 @@ static void clusters_part(struct crossings *out)
     }
 }
 
+static struct interval common_part(const struct interval *a, const struct interval *b)
+{
+    struct interval c = {real_max(a->lo, b->lo), real_min(a->hi, b->hi)};
+    return c;
+}
+
+/* CANDIDATEs within a ring are no more than what of its core is in them. */
+static void candidates_part(struct solver *z)
+{
+    for (int i = 0; i < z->rings && i < RINGS_MAX; i++) {
+        const struct ring *r = &z->ring[i];
+        const struct crossing all = {r->t, r->s, CANDIDATE, 0, 0};
+        for (int k = 0; k < z->out->count; k++) {
+            struct crossing *c = &z->out->at[k];
+            if (c->standing != CANDIDATE || !lies_in(c, &all)) {
+                continue;
+            }
+            c->t = common_part(&c->t, &r->core_t);
+            c->s = common_part(&c->s, &r->core_s);
+            if (c->t.lo > c->t.hi || c->s.lo > c->s.hi) {
+                *c = z->out->at[--z->out->count];
+                k--;
+            }
+        }
+    }
+}
+
 void records_tidy(struct solver *z)
 {
     struct crossing *at = z->out->at;
+    candidates_part(z);
     for (int i = 0; i < z->out->count; i++) {
         for (int k = 0; k < z->out->count; k++) {
             if (k != i && is_idle(&at[k], &at[i])) {
@@ -171,6 +199,49 @@ enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct z
     }
     if (nodes_meet(&z->f.node[f], &z->g.node[g])) {
         pair_push(z, at->level, f, g, 0);
+    }
+    return CLOSED;
+}
+
+struct cuts {
+    int part[3]; /* before, in, after the region; 0: none, or no memory */
+    bool full;
+};
+
+static void cut_in_three(struct tree *tree, const struct source *c, int of, real x, real radius,
+                         struct cuts *out)
+{
+    real lo = tree->node[of].lo, hi = tree->node[of].hi;
+    const real at[4] = {lo, real_min(real_max(x - radius, lo), hi), real_max(real_min(x + radius, hi), lo),
+                        hi};
+    out->full = false;
+    for (int k = 0; k < 3; k++) {
+        bool any = at[k] < at[k + 1];
+        out->part[k] = any ? part_make(tree, c, at[k], at[k + 1]) : 0;
+        out->full |= any && !out->part[k];
+    }
+}
+
+enum verdict pair_push_around(struct solver *z, const struct pair *at, const struct zero *x)
+{
+    const struct level *v = &z->level[at->level];
+    struct cuts f, g;
+    if (!(x->rt > 0 && x->rs > 0)) {
+        return OPEN;
+    }
+    cut_in_three(&z->f, &v->f, at->f, x->t, x->rt, &f);
+    cut_in_three(&z->g, &v->g, at->g, x->s, x->rs, &g);
+    if (f.full || g.full) {
+        return OPEN;
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            bool around = i != 1 || k != 1;
+            if (around && f.part[i] && g.part[k] &&
+                nodes_meet(&z->f.node[f.part[i]], &z->g.node[g.part[k]])) {
+                pair_push(z, at->level, f.part[i], g.part[k], 0);
+            }
+        }
     }
     return CLOSED;
 }

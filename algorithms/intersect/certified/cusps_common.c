@@ -1,0 +1,368 @@
+/* Two cusps with a common tangent: how many solutions there are at most, and where, by Rouche's theorem.
+ *
+ * Models.  x is along a direction e near both tangents, y across it; z and v are the nodes' own parameters
+ * less the centres, v scaled.  Take x without its powers 0 and 1, which vanish but for rounding, and the
+ * coefficients as they are computed: so f has the model x = z^2 p(z) / A(z) = a z^2 (1 + ...), y = Y_f(z), g
+ * x = c v^2 (1 + ...), y = Y_g(v), |c| = |a| (1 + d).  What was left out and rounding make the exact
+ * coordinates differ from the model's by at most sums of powers of |z| with coefficients >= 0; all this holds
+ * beyond the nodes too.
+ *
+ * Parameters.  For |z| <= r let p(z) / A(z) differ from a by at most q |a|, q <= 1/2.  Then T(z) = z sqrt(1 +
+ * ...) differs from z by at most (1 - sqrt(1 - q)) |z|, for |sqrt(1 + w) - 1| <= 1 - sqrt(1 - |w|); so by
+ * Rouche's theorem T takes each value |T| < R = r sqrt(1 - q) at one z, |z| < r.  By T, the model of f is x =
+ * a T^2, y = sum of B_k T^k with |B_k| <= M R^-k, M >= |Y_f| for |z| <= r (Cauchy); B_0 to B_6 come from power
+ * series in balls.  And |z| sqrt(1 - q) <= |T| <= |z| sqrt(1 + q).  That of g likewise: x = +-a (1 + d) V^2, y =
+ * sum of D_k V^k.
+ *
+ * Counting.  Let rho <= R / 2 of both, and in D: |T| <= rho, |V| <= 9/8 rho, the exact x_f - x_g over a differ
+ * from T^2 -+ V^2 by at most h, y_f - y_g from the models' by at most k.  Let h <= rho^2 / 4.  On the way from
+ * the models to the exact curves x_f - x_g does not vanish where |V| = 9/8 rho: 81/64 - 1 > 1/4.  Where it
+ * vanishes with |T| = rho, +-V^2 = T^2 (1 + w) with |w| <= h / rho^2, so V is within h / rho of j T, j one of
+ * the two roots of j^2 = +-1, for |sqrt(1 + w) - 1| <= |w|.  There y_f - y_g is nearer to
+ *
+ *     G_j(T) = Y_f(T) - Y_g(j T) = sum of (B_k - D_k j^k) T^k
+ *
+ * than k + L h / rho, L >= |Y_g'| on |V| <= 9/8 rho.  If in G_j the term of order p_j has a larger modulus than
+ * all others and this together, there is no zero on the way on the border of D, so (Rouche, several variables)
+ * D has as many solutions as the models have, which are the zeros of G_j for both j: the sum of both p_j, with
+ * multiplicity, real or not.  That is 3 + 3 for two cusps, 3 + 4 if they agree to third order, and so on.
+ *
+ * Where.  Over rho^2, rho^p_j, what has to be small are sums of powers of rho with coefficients >= 0, convex
+ * in log rho: if it holds for the same p_j at two rho, it holds between, and no border there has a solution.
+ * So all of the larger D are in the smaller one.  Those with |z| <= rho / sqrt(1 + q) are in D, and in D is |z|
+ * <= rho / sqrt(1 - q), v with 9/8 more; which is within the former for half the rho.
+ *
+ * Rounding.  All sums are of terms that are not negative, and err relatively by less than 8 (n + m + 32) eps;
+ * what underflows is nothing against the errors of control points, at least eps. */
+#include "ball.h"
+#include "cusps.h"
+
+/* A curve in the frame: powers of the model, what the exact ones may differ by, and the disc |z| <= r. */
+struct model {
+    int n;
+    real x[TERMS], y[TERMS], w[TERMS], off_x[TERMS], off_y[TERMS], off_w[TERMS];
+    real bend;          /* a */
+    real r, q, in, out; /* in: R; out: 1 / sqrt(1 - q) */
+    real lightest;      /* no weight, of the model or exact, is smaller there */
+    real most;          /* M */
+    struct series height;
+};
+
+/* G_j for both j: of the coefficients the least and the largest modulus. */
+struct sums {
+    const struct model *f, *g;
+    real least[2][SERIES + 1], most[2][SERIES + 1];
+    real rho; /* the largest */
+    real mismatch, slack;
+};
+
+/* Sum of |c_k| s^(k - from), k >= from. */
+static real sum_sizes(const real *c, int from, int n, real s)
+{
+    real sum = 0;
+    for (int k = n; k >= from; k--) {
+        sum = sum * s + real_abs(c[k]);
+    }
+    return sum;
+}
+
+static real power_of(real a, int k)
+{
+    real power = 1;
+    for (int i = 0; i < k; i++) {
+        power = power * a;
+    }
+    return power;
+}
+
+/* ---- models ---- */
+
+static void model_turn(const struct germ *a, real ex, real ey, struct model *out)
+{
+    real norm = real_abs(ex) + real_abs(ey);
+    out->n = a->n;
+    for (int k = 0; k <= a->n; k++) {
+        real x = a->x[k], y = a->y[k];
+        out->x[k] = ex * x + ey * y;
+        out->y[k] = ex * y - ey * x;
+        out->w[k] = a->w[k];
+        out->off_x[k] = out->off_y[k] =
+            norm * (a->error[k] + 2 * REAL_EPSILON * (real_abs(x) + real_abs(y)));
+        out->off_w[k] = a->error_w[k];
+    }
+    for (int k = 0; k < 2; k++) {
+        out->off_x[k] += real_abs(out->x[k]);
+        out->x[k] = 0;
+    }
+    out->bend = out->x[2] / out->w[0];
+}
+
+/* The largest disc, of radii that are powers of two, with q <= 1/2: p / p_0 differs from 1 by `bent`, A /
+ * A_0 by `heavy`. */
+static bool model_disc(struct model *a)
+{
+    enum { HALVINGS = 64 };
+    const real up = 1 + 8 * (a->n + 8) * REAL_EPSILON, down = 1 - 8 * (a->n + 8) * REAL_EPSILON;
+    real r = 4, size = real_abs(a->x[2]);
+    for (int k = 0; k < HALVINGS && size > 0; k++, r = r / 2) {
+        real bent = r * sum_sizes(a->x, 3, a->n, r) / size * up;
+        real heavy = r * sum_sizes(a->w, 1, a->n, r) / a->w[0] * up;
+        a->q = (bent + heavy) / (1 - heavy) * up;
+        a->lightest = (a->w[0] * (1 - heavy) - sum_sizes(a->off_w, 0, a->n, r) * up) * down;
+        if (heavy <= (real)0.25 && a->q <= (real)0.5 && a->lightest > 0) {
+            real root = real_sqrt(1 - a->q);
+            a->r = r;
+            a->in = r * root * (1 - 4 * REAL_EPSILON);
+            a->out = 1 / root * (1 + 4 * REAL_EPSILON);
+            a->most = sum_sizes(a->y, 0, a->n, r) / a->lightest * up;
+            return true;
+        }
+    }
+    return false;
+}
+
+static struct ball quotient(real a, real b)
+{
+    return ball_round(a / b, 0);
+}
+
+/* sqrt(a) where a begins with 1. */
+static void series_sqrt(const struct series *a, struct series *out)
+{
+    out->c[0] = ball_of(1, 0);
+    for (int k = 1; k <= SERIES; k++) { /* 2 out_k = a_k - sum of out_i out_(k-i), 0 < i < k */
+        struct ball rest = a->c[k];
+        for (int i = 1; i < k; i++) {
+            rest = ball_subtract(rest, ball_multiply(out->c[i], out->c[k - i]));
+        }
+        out->c[k] = ball_of(rest.mid / 2, rest.rad / 2);
+    }
+}
+
+/* B_0 to B_6. */
+static void model_series(struct model *a)
+{
+    struct series x, y, w, one, root;
+    for (int k = 0; k <= SERIES; k++) {
+        x.c[k] = k + 2 <= a->n ? quotient(a->x[k + 2], a->x[2]) : ball_of(0, 0);
+        y.c[k] = k <= a->n ? quotient(a->y[k], a->w[0]) : ball_of(0, 0);
+        w.c[k] = k <= a->n ? quotient(a->w[k], a->w[0]) : ball_of(0, 0);
+    }
+    series_invert(&w, SERIES, &one);
+    series_multiply(&x, 0, &one, SERIES, &x);
+    series_multiply(&y, 0, &one, SERIES, &y);
+    series_sqrt(&x, &root);
+    x.c[0] = ball_of(0, 0);
+    for (int k = 1; k <= SERIES; k++) {
+        x.c[k] = root.c[k - 1];
+    }
+    series_graph(&x, &y, &a->height);
+}
+
+static bool model_make(const struct germ *of, real ex, real ey, struct model *out)
+{
+    model_turn(of, ex, ey, out);
+    if (!model_disc(out)) {
+        return false;
+    }
+    model_series(out);
+    return true;
+}
+
+/* How far the exact x, or y, is from the model's for |z| <= s: P/A - P'/A' = (P - P')/A - (P'/A') (A - A')/A. */
+static real away(const struct model *a, const real *c, const real *off, real s)
+{
+    real weights = sum_sizes(a->off_w, 0, a->n, s), sum = sum_sizes(off, 0, a->n, s);
+    if (weights > 0) {
+        sum += sum_sizes(c, 0, a->n, s) / a->lightest * weights;
+    }
+    return sum / a->lightest;
+}
+
+/* ---- the sums ---- */
+
+/* |B_k - D_k j^k|: j = +-1, or +-i with the same modulus for both. */
+static void sums_term(struct sums *c, int k, bool same)
+{
+    struct ball b = c->f->height.c[k], d = c->g->height.c[k];
+    bool odd = k % 2;
+    for (int i = 0; i < 2; i++) {
+        bool plus = same ? i == 1 && odd : k % 4 == 2; /* -j^k = 1 */
+        struct ball g = plus ? ball_add(b, d) : ball_subtract(b, d);
+        c->least[i][k] = ball_least(g);
+        c->most[i][k] = ball_most(g);
+        if (!same && odd) {
+            real lb = ball_least(b), ld = ball_least(d), mb = ball_most(b), md = ball_most(d);
+            c->least[i][k] = real_sqrt(lb * lb + ld * ld) * (1 - 4 * REAL_EPSILON);
+            c->most[i][k] = real_sqrt(mb * mb + md * md) * (1 + 4 * REAL_EPSILON);
+        }
+    }
+}
+
+static void sums_make(const struct model *f, const struct model *g, struct sums *out)
+{
+    real a = real_abs(f->bend);
+    out->f = f;
+    out->g = g;
+    for (int k = 0; k <= SERIES; k++) {
+        sums_term(out, k, f->bend * g->bend > 0);
+    }
+    out->rho = real_min(f->in, g->in) / 2;
+    out->mismatch = real_abs(a - real_abs(g->bend)) / a + 16 * REAL_EPSILON;
+    out->slack = 1 + 16 * (f->n + g->n + 32) * REAL_EPSILON;
+}
+
+/* k + L h / rho; or no finite one, where h is too large.  The terms of Y_g' past D_6 are at most M / R times
+ * the sum of k x^(k-1), k > 6, for x = 9/8 rho / R <= 9/16: less than 7 x^6 / (1 - x)^2 < 37 x^6. */
+static real sums_noise(const struct sums *c, real rho)
+{
+    const struct model *f = c->f, *g = c->g;
+    real wide = rho * 9 / 8, s = f->out * rho, v = g->out * wide;
+    real h = (away(f, f->x, f->off_x, s) + away(g, g->x, g->off_x, v)) / real_abs(f->bend) +
+             c->mismatch * wide * wide;
+    if (!(4 * h * c->slack <= rho * rho)) {
+        return REAL_HUGE;
+    }
+    real steep = 37 * (g->most / g->in) * power_of(wide / g->in, SERIES);
+    for (int k = 1; k <= SERIES; k++) {
+        steep += k * ball_most(g->height.c[k]) * power_of(wide, k - 1);
+    }
+    return away(f, f->y, f->off_y, s) + away(g, g->y, g->off_y, v) + steep * (h / rho);
+}
+
+/* Does in both sums one term exceed all others and the noise?  Its order: p.  Terms past the sixth are at most M
+ * (rho / R)^7 (1 + 1/2 + ...). */
+static bool sums_dominated(const struct sums *c, real rho, real noise, int p[2])
+{
+    const struct model *f = c->f, *g = c->g;
+    real past = 2 * (f->most * power_of(rho / f->in, SERIES + 1) + g->most * power_of(rho / g->in, SERIES + 1));
+    for (int i = 0; i < 2; i++) {
+        real rest = noise + past, power = 1, size[SERIES + 1], lead = 0;
+        for (int k = 0; k <= SERIES; k++, power = power * rho) {
+            size[k] = c->most[i][k] * power;
+            if (k == 0 || c->least[i][k] * power > lead) {
+                lead = c->least[i][k] * power;
+                p[i] = k;
+            }
+        }
+        for (int k = 0; k <= SERIES; k++) {
+            rest += k == p[i] ? (real)0 : size[k];
+        }
+        if (!(lead > rest * c->slack)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool holds_at(const struct sums *c, int halvings, int p[2])
+{
+    real rho = real_ldexp(c->rho, -halvings);
+    return sums_dominated(c, rho, sums_noise(c, rho), p);
+}
+
+static bool holds_too(const struct sums *c, int halvings, const int p[2])
+{
+    int other[2];
+    return halvings <= REAL_BITS && holds_at(c, halvings, other) && other[0] == p[0] && other[1] == p[1];
+}
+
+/* The last of the halvings, from `first` on, for which it holds with the same p: they are an interval. */
+static int last_of(const struct sums *c, int first, const int p[2])
+{
+    int last = first, step = 1;
+    for (; holds_too(c, last + step, p); step = 2 * step) {
+        last += step;
+    }
+    for (; step > 0; step = step / 2) {
+        if (holds_too(c, last + step, p)) {
+            last += step;
+        }
+    }
+    return last;
+}
+
+/* ---- two cusps ---- */
+
+static void rescale(struct germ *a, real by)
+{
+    real power = 1;
+    for (int k = 0; k <= a->n; k++) {
+        real *part[5] = {&a->x[k], &a->y[k], &a->w[k], &a->error[k], &a->error_w[k]};
+        for (int i = 0; i < 5; i++) {
+            *part[i] = *part[i] * power;
+        }
+        a->error[k] += 2 * (k + 2) * REAL_EPSILON * (real_abs(a->x[k]) + real_abs(a->y[k]));
+        a->error_w[k] += 2 * (k + 2) * REAL_EPSILON * real_abs(a->w[k]);
+        power = power * by;
+    }
+    a->reach = a->reach / by * (1 + 4 * REAL_EPSILON);
+}
+
+/* From rho to own parameters; by: v's scale. */
+static struct box box_out(const struct sums *c, real rho, real by)
+{
+    const real up = 1 + 16 * REAL_EPSILON;
+    struct box b = {rho * c->f->out * up, rho * 9 / 8 * c->g->out * by * up};
+    return b;
+}
+
+static struct box box_in(const struct sums *c, real rho, real by)
+{
+    const real down = 1 - 16 * REAL_EPSILON;
+    struct box b = {rho / real_sqrt(1 + c->f->q) * down, rho / real_sqrt(1 + c->g->q) * by * down};
+    return b;
+}
+
+/* Would an eighth of rho be hidden by rounding alone? */
+static bool is_limited(const struct sums *c, real rho, const int p[2])
+{
+    real less = rho / 8, noise = sums_noise(c, less);
+    return !(c->least[0][p[0]] * power_of(less, p[0]) > noise &&
+             c->least[1][p[1]] * power_of(less, p[1]) > noise);
+}
+
+/* The smallest that can be told, of those that are not without solutions: others may be around it. */
+static bool smallest(const struct sums *c, real by, struct common *out)
+{
+    enum { FIRST_MAX = 64 };
+    bool any = false;
+    for (int first = 0; first < FIRST_MAX; first++) {
+        int p[2];
+        if (!holds_at(c, first, p)) {
+            continue;
+        }
+        int last = last_of(c, first, p);
+        if (last > first || p[0] + p[1] == 0) {
+            real rho = real_ldexp(c->rho, -last);
+            out->at_most = p[0] + p[1];
+            out->limited = is_limited(c, rho, p);
+            out->clear = box_in(c, real_ldexp(c->rho, -first), by);
+            out->box = box_out(c, rho, by);
+            any = true;
+        }
+        first = last;
+    }
+    return any;
+}
+
+bool cusps_common(const struct germ *f, const struct germ *g, struct common *out)
+{
+    struct germ b = *g;
+    struct model of_f, of_g;
+    struct sums sums;
+    real ex = f->x[2], ey = f->y[2], length = real_sqrt(ex * ex + ey * ey);
+    ex = ex / length;
+    ey = ey / length;
+    real a = (ex * f->x[2] + ey * f->y[2]) * g->w[0], c = (ex * g->x[2] + ey * g->y[2]) * f->w[0];
+    if (!(real_abs(a) > 0) || !(real_abs(c) > 0)) {
+        return false;
+    }
+    real by = real_sqrt(real_abs(a / c));
+    rescale(&b, by);
+    if (!model_make(f, ex, ey, &of_f) || !model_make(&b, ex, ey, &of_g)) {
+        return false;
+    }
+    sums_make(&of_f, &of_g, &sums);
+    return smallest(&sums, by, out);
+}
