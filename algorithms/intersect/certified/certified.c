@@ -76,6 +76,8 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->levels = z->pairs = z->solved = 0;
     z->next_look = w->steps + FIRST_LOOK;
     z->suspicions = z->looks = z->overlap_looks = z->rings = 0;
+    z->narrow_t = p->bounds.tolerance_t;
+    z->narrow_s = p->bounds.tolerance_s;
     z->alone = false;
 }
 
@@ -234,9 +236,9 @@ static enum verdict settle(struct solver *z, struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    if (z->solved > 0) {
+    if (z->solved + z->rings > 0) {
         struct interval t = level_t(v, f->lo, f->hi), s = level_s(v, g->lo, g->hi);
-        if (is_solved(z, at->level, &t, &s)) {
+        if (is_solved(z, at->level, &t, &s) || is_in_ring(z, &t, &s)) {
             return CLOSED;
         }
     }

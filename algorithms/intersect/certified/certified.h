@@ -112,6 +112,7 @@ struct solver {
     bool alone;     /* shared arcs are not looked for: loops.c */
     int looks;      /* closer looks at pairs that would be candidates */
     int rings;      /* so many there were; the last RINGS_MAX are kept */
+    real narrow_t, narrow_s; /* what no proof settles is halved down to this */
     struct ring ring[RINGS_MAX];
 };
 
@@ -191,8 +192,12 @@ bool region_is_solved(const struct solver *z, int level, const struct zero *x);
 /* The same where nothing is proved: OPEN if there is no closer look to be had. */
 enum verdict region_look(struct solver *z, int level, const struct zero *x);
 
-/* All solutions of the region `clear` are in `core` (NULL: there are none), which this step has settled. */
-void region_clear(struct solver *z, int level, const struct zero *clear, const struct zero *core);
+/* All solutions of the region are settled, by records or levels that this step has made. */
+void region_solved(struct solver *z, int level, const struct zero *x);
+/* All solutions of the region `clear` are in `core`; NULL: there are none. */
+void ring_add(struct solver *z, int level, const struct zero *clear, const struct zero *core);
+/* Is the rectangle in a ring, but not in its core? */
+bool is_in_ring(const struct solver *z, const struct interval *t, const struct interval *s);
 
 /* From local parameters of a level to the problem's, rounded outwards. */
 struct interval level_t(const struct level *v, real lo, real hi);
@@ -250,7 +255,7 @@ void pair_split(struct solver *z, const struct pair *at);
 bool pair_split_root(struct solver *z, const struct pair *at);
 /* The pair as a CANDIDATE; in a level that stands for something better, that instead. */
 void pair_accept(struct solver *z, const struct pair *at);
-/* As narrow as asked? */
+/* As narrow as need be? */
 bool narrow_t(const struct solver *z, const struct level *v, const struct node *f);
 bool narrow_s(const struct solver *z, const struct level *v, const struct node *g);
 

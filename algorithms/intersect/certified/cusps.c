@@ -266,21 +266,43 @@ static enum verdict settle_crossed(struct solver *z, const struct pair *at, cons
     return is_small(a, b, box) ? region_settle(z, at->level, f, g, &x, at_most, false) : OPEN;
 }
 
-/* What lies around the cusps is left to other pairs. */
+static bool lies_in(const struct node *a, real x, real radius)
+{
+    return x - radius <= a->lo && a->hi <= x + radius;
+}
+
+/* What of the pair lies around `clear`, and in the core, becomes pairs. */
+static enum verdict take_out(struct solver *z, const struct pair *at, const struct zero *clear,
+                             const struct zero *core)
+{
+    return pair_push_around(z, at, clear) == CLOSED ? pair_narrow(z, at, core) : OPEN;
+}
+
+/* Only the innermost is settled here; what lies around it is left to other pairs. */
 static enum verdict settle_common(struct solver *z, const struct pair *at, const struct germ *a,
                                   const struct germ *b, const struct common *c)
 {
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    struct zero x = region_of(a, b, &c->box, 1), clear = region_of(a, b, &c->clear, -1);
-    if (c->at_most > 0) {
-        if (!c->limited && !is_small(a, b, &c->box)) {
+    struct zero core, clear;
+    for (int i = 0; i < c->rings; i++) {
+        const struct common_ring *r = &c->ring[i];
+        core = region_of(a, b, &r->core, 1);
+        clear = region_of(a, b, &r->clear, -1);
+        ring_add(z, at->level, &clear, r->at_most > 0 ? &core : NULL);
+        if (i < c->rings - 1 && !(lies_in(f, core.t, core.rt) && lies_in(g, core.s, core.rs))) {
+            return take_out(z, at, &clear, &core);
+        }
+    }
+    const struct common_ring *last = &c->ring[c->rings - 1];
+    if (last->at_most > 0) {
+        if (!last->limited && !is_small(a, b, &last->core)) {
             return OPEN;
         }
-        if (region_settle(z, at->level, f, g, &x, c->at_most, false) == OPEN) {
+        if (region_settle(z, at->level, f, g, &core, last->at_most, false) == OPEN) {
             return OPEN;
         }
     }
-    region_clear(z, at->level, &clear, c->at_most > 0 ? &x : NULL);
+    region_solved(z, at->level, &clear);
     return pair_push_around(z, at, &clear);
 }
 

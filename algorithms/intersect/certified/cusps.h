@@ -21,12 +21,18 @@ struct box {
     real r, s;
 };
 
-/* Every solution within `clear` of the centres is within `box`; there are at most at_most of them in `clear`,
- * with multiplicity.  limited: it is rounding that makes the box so large. */
-struct common {
+/* Every solution within `clear` of the centres is within `core`; there are at most at_most of them in `clear`,
+ * with multiplicity.  limited: it is rounding that makes the core so large. */
+struct common_ring {
     int at_most;
     bool limited;
-    struct box box, clear;
+    struct box core, clear;
+};
+
+enum { COMMON_RINGS = 4 };
+struct common {
+    int rings;
+    struct common_ring ring[COMMON_RINGS]; /* each in the core of the one before */
 };
 
 /* For centres of order 2 with nearly the same tangent; false: nothing is proved. */

@@ -322,11 +322,21 @@ static bool is_limited(const struct sums *c, real rho, const int p[2])
              c->least[1][p[1]] * power_of(less, p[1]) > noise);
 }
 
-/* The smallest that can be told, of those that are not without solutions: others may be around it. */
-static bool smallest(const struct sums *c, real by, struct common *out)
+static void ring_make(const struct sums *c, real by, int first, int last, const int p[2],
+                      struct common_ring *out)
+{
+    real rho = real_ldexp(c->rho, -last);
+    out->at_most = p[0] + p[1];
+    out->limited = is_limited(c, rho, p);
+    out->clear = box_in(c, real_ldexp(c->rho, -first), by);
+    out->core = box_out(c, rho, by);
+}
+
+/* From the outermost; if there are too many, without some before the last. */
+static bool rings_find(const struct sums *c, real by, struct common *out)
 {
     enum { FIRST_MAX = 64 };
-    bool any = false;
+    out->rings = 0;
     for (int first = 0; first < FIRST_MAX; first++) {
         int p[2];
         if (!holds_at(c, first, p)) {
@@ -334,16 +344,12 @@ static bool smallest(const struct sums *c, real by, struct common *out)
         }
         int last = last_of(c, first, p);
         if (last > first || p[0] + p[1] == 0) {
-            real rho = real_ldexp(c->rho, -last);
-            out->at_most = p[0] + p[1];
-            out->limited = is_limited(c, rho, p);
-            out->clear = box_in(c, real_ldexp(c->rho, -first), by);
-            out->box = box_out(c, rho, by);
-            any = true;
+            out->rings -= out->rings == COMMON_RINGS;
+            ring_make(c, by, first, last, p, &out->ring[out->rings++]);
         }
         first = last;
     }
-    return any;
+    return out->rings > 0;
 }
 
 bool cusps_common(const struct germ *f, const struct germ *g, struct common *out)
@@ -364,5 +370,5 @@ bool cusps_common(const struct germ *f, const struct germ *g, struct common *out
         return false;
     }
     sums_make(&of_f, &of_g, &sums);
-    return smallest(&sums, by, out);
+    return rings_find(&sums, by, out);
 }

@@ -44,6 +44,11 @@ static bool within(const struct interval *a, const struct interval *b)
     return b->lo <= a->lo && a->hi <= b->hi;
 }
 
+static bool overlap(const struct interval *a, const struct interval *b)
+{
+    return a->lo <= b->hi && b->lo <= a->hi;
+}
+
 static void cut_off(struct interval *a)
 {
     a->lo = real_max(a->lo, (real)0);
@@ -246,11 +251,6 @@ enum verdict zero_settle(struct solver *z, int level, const struct node *f, cons
 
 /* ---- one zero, two records ---- */
 
-static bool overlap(const struct interval *a, const struct interval *b)
-{
-    return a->lo <= b->hi && b->lo <= a->hi;
-}
-
 /* a holds one solution, or (END) one zero; b, a part of it, holds one solution. */
 static bool is_part(const struct crossing *b, const struct crossing *a)
 {
@@ -347,21 +347,47 @@ bool region_is_solved(const struct solver *z, int level, const struct zero *x)
     return is_solved(z, level, &t, &s);
 }
 
-void region_clear(struct solver *z, int level, const struct zero *clear, const struct zero *core)
+/* A part of the region. */
+static bool region_inner(const struct level *v, const struct zero *x, struct interval *t, struct interval *s)
+{
+    *t = level_inner(&v->t, x->t - x->rt, x->t + x->rt);
+    *s = level_inner(&v->s, x->s - x->rs, x->s + x->rs);
+    return t->lo <= t->hi && s->lo <= s->hi;
+}
+
+void region_solved(struct solver *z, int level, const struct zero *x)
+{
+    struct interval t, s;
+    if (region_inner(&z->level[level], x, &t, &s)) {
+        solved_add(z, &t, &s, is_busy(z, level) ? z->levels - 1 : 0);
+    }
+}
+
+void ring_add(struct solver *z, int level, const struct zero *clear, const struct zero *core)
 {
     const struct level *v = &z->level[level];
-    struct ring r = {level_inner(&v->t, clear->t - clear->rt, clear->t + clear->rt),
-                     level_inner(&v->s, clear->s - clear->rs, clear->s + clear->rs),
-                     {2, 2},
-                     {2, 2}};
+    struct ring r = {{2, 2}, {2, 2}, {2, 2}, {2, 2}};
+    const real finer = (real)1 / 64; /* arcs that leave a cusp together part slowly */
     if (core) {
         r.core_t = around(&v->t, core->t, core->rt);
         r.core_s = around(&v->s, core->s, core->rs);
     }
-    if (r.t.lo <= r.t.hi && r.s.lo <= r.s.hi) {
-        solved_add(z, &r.t, &r.s, is_busy(z, level) ? z->levels - 1 : 0);
+    if (region_inner(v, clear, &r.t, &r.s)) {
+        z->narrow_t = real_max(z->p->bounds.tolerance_t * finer, 4 * REAL_EPSILON);
+        z->narrow_s = real_max(z->p->bounds.tolerance_s * finer, 4 * REAL_EPSILON);
         z->ring[z->rings++ % RINGS_MAX] = r;
     }
+}
+
+bool is_in_ring(const struct solver *z, const struct interval *t, const struct interval *s)
+{
+    for (int i = 0; i < z->rings && i < RINGS_MAX; i++) {
+        const struct ring *r = &z->ring[i];
+        if (within(t, &r->t) && within(s, &r->s) && (!overlap(t, &r->core_t) || !overlap(s, &r->core_s))) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if

@@ -137,12 +137,12 @@ void pair_push(struct solver *z, int level, int f, int g, int rest)
 
 bool narrow_t(const struct solver *z, const struct level *v, const struct node *f)
 {
-    return (v->t.hi - v->t.lo) * (f->hi - f->lo) <= z->p->bounds.tolerance_t;
+    return (v->t.hi - v->t.lo) * (f->hi - f->lo) <= z->narrow_t;
 }
 
 bool narrow_s(const struct solver *z, const struct level *v, const struct node *g)
 {
-    return (v->s.hi - v->s.lo) * (g->hi - g->lo) <= z->p->bounds.tolerance_s;
+    return (v->s.hi - v->s.lo) * (g->hi - g->lo) <= z->narrow_s;
 }
 
 static real extent(const struct node *a)
