@@ -108,10 +108,10 @@ struct solver {
     int root_f, root_g;
     int next_look; /* steps before overlaps are looked for (again) */
     int overlap_looks;
-    int suspicions; /* so often a gap was no more than rounding */
-    bool alone;     /* shared arcs are not looked for: loops.c */
-    int looks;      /* closer looks at pairs that would be candidates */
-    int rings;      /* so many there were; the last RINGS_MAX are kept */
+    int suspicions;          /* so often a gap was no more than rounding */
+    bool alone;              /* shared arcs are not looked for: loops.c */
+    int looks;               /* closer looks at pairs that would be candidates */
+    int rings;               /* so many there were; the last RINGS_MAX are kept */
     real narrow_t, narrow_s; /* what no proof settles is halved down to this */
     struct ring ring[RINGS_MAX];
 };
@@ -186,6 +186,8 @@ enum search zero_prove(struct solver *z, int level, const struct zero *x, real w
  * the extended pair if it exists: a look closer, or a CLUSTER. */
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                            const struct zero *x, int at_most, bool exists);
+/* The same where there are at most so many in the region of the curves, beyond the nodes and the level too. */
+enum verdict region_settle_all(struct solver *z, int level, const struct zero *x, int at_most);
 
 /* Does what of the region is in the domain lie in a solved rectangle? */
 bool region_is_solved(const struct solver *z, int level, const struct zero *x);

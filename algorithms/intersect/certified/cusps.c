@@ -298,7 +298,7 @@ static enum verdict settle_common(struct solver *z, const struct pair *at, const
         if (!last->limited && !is_small(a, b, &last->core)) {
             return OPEN;
         }
-        if (region_settle(z, at->level, f, g, &core, last->at_most, false) == OPEN) {
+        if (region_settle_all(z, at->level, &core, last->at_most) == OPEN) {
             return OPEN;
         }
     }

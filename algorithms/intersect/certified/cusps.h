@@ -21,8 +21,8 @@ struct box {
     real r, s;
 };
 
-/* Every solution within `clear` of the centres is within `core`; there are at most at_most of them in `clear`,
- * with multiplicity.  limited: it is rounding that makes the core so large. */
+/* Every solution within `clear` of the centres is within `core`; there are at most at_most of them in
+ * `clear`, with multiplicity.  limited: it is rounding that makes the core so large. */
 struct common_ring {
     int at_most;
     bool limited;

@@ -10,26 +10,28 @@
  * Parameters.  For |z| <= r let p(z) / A(z) differ from a by at most q |a|, q <= 1/2.  Then T(z) = z sqrt(1 +
  * ...) differs from z by at most (1 - sqrt(1 - q)) |z|, for |sqrt(1 + w) - 1| <= 1 - sqrt(1 - |w|); so by
  * Rouche's theorem T takes each value |T| < R = r sqrt(1 - q) at one z, |z| < r.  By T, the model of f is x =
- * a T^2, y = sum of B_k T^k with |B_k| <= M R^-k, M >= |Y_f| for |z| <= r (Cauchy); B_0 to B_6 come from power
- * series in balls.  And |z| sqrt(1 - q) <= |T| <= |z| sqrt(1 + q).  That of g likewise: x = +-a (1 + d) V^2, y =
- * sum of D_k V^k.
+ * a T^2, y = sum of B_k T^k with |B_k| <= M R^-k, M >= |Y_f| for |z| <= r (Cauchy); B_0 to B_6 come from
+ * power series in balls.  And |z| sqrt(1 - q) <= |T| <= |z| sqrt(1 + q).  That of g likewise: x = +-a (1 + d)
+ * V^2, y = sum of D_k V^k.
  *
- * Counting.  Let rho <= R / 2 of both, and in D: |T| <= rho, |V| <= 9/8 rho, the exact x_f - x_g over a differ
- * from T^2 -+ V^2 by at most h, y_f - y_g from the models' by at most k.  Let h <= rho^2 / 4.  On the way from
- * the models to the exact curves x_f - x_g does not vanish where |V| = 9/8 rho: 81/64 - 1 > 1/4.  Where it
- * vanishes with |T| = rho, +-V^2 = T^2 (1 + w) with |w| <= h / rho^2, so V is within h / rho of j T, j one of
- * the two roots of j^2 = +-1, for |sqrt(1 + w) - 1| <= |w|.  There y_f - y_g is nearer to
+ * Counting.  Let rho <= R / 2 of both, and in D: |T| <= rho, |V| <= 9/8 rho, the exact x_f - x_g over a
+ * differ from T^2 -+ V^2 by at most h, y_f - y_g from the models' by at most k.  Let h <= rho^2 / 4.  On the
+ * way from the models to the exact curves x_f - x_g does not vanish where |V| = 9/8 rho: 81/64 - 1 > 1/4.
+ * Where it vanishes with |T| = rho, +-V^2 = T^2 (1 + w) with |w| <= h / rho^2, so V is within h / rho of j T,
+ * j one of the two roots of j^2 = +-1, for |sqrt(1 + w) - 1| <= |w|.  There y_f - y_g is nearer to
  *
  *     G_j(T) = Y_f(T) - Y_g(j T) = sum of (B_k - D_k j^k) T^k
  *
- * than k + L h / rho, L >= |Y_g'| on |V| <= 9/8 rho.  If in G_j the term of order p_j has a larger modulus than
- * all others and this together, there is no zero on the way on the border of D, so (Rouche, several variables)
- * D has as many solutions as the models have, which are the zeros of G_j for both j: the sum of both p_j, with
- * multiplicity, real or not.  That is 3 + 3 for two cusps, 3 + 4 if they agree to third order, and so on.
+ * than k + L h / rho, L >= |Y_g'| on |V| <= 9/8 rho.  If in G_j the term of order p_j has a larger modulus
+ * than all others and this together, there is no zero on the way on the border of D, so (Rouche, several
+ * variables) D has as many solutions as the models have, which are the zeros of G_j for both j: the sum of
+ * both p_j, with multiplicity, real or not.  That is 3 + 3 for two cusps, 3 + 4 if they agree to third order,
+ * and so on.
  *
  * Where.  Over rho^2, rho^p_j, what has to be small are sums of powers of rho with coefficients >= 0, convex
  * in log rho: if it holds for the same p_j at two rho, it holds between, and no border there has a solution.
- * So all of the larger D are in the smaller one.  Those with |z| <= rho / sqrt(1 + q) are in D, and in D is |z|
+ * So all of the larger D are in the smaller one.  Those with |z| <= rho / sqrt(1 + q) are in D, and in D is
+ * |z|
  * <= rho / sqrt(1 - q), v with 9/8 more; which is within the former for half the rho.
  *
  * Rounding.  All sums are of terms that are not negative, and err relatively by less than 8 (n + m + 32) eps;
@@ -86,8 +88,7 @@ static void model_turn(const struct germ *a, real ex, real ey, struct model *out
         out->x[k] = ex * x + ey * y;
         out->y[k] = ex * y - ey * x;
         out->w[k] = a->w[k];
-        out->off_x[k] = out->off_y[k] =
-            norm * (a->error[k] + 2 * REAL_EPSILON * (real_abs(x) + real_abs(y)));
+        out->off_x[k] = out->off_y[k] = norm * (a->error[k] + 2 * REAL_EPSILON * (real_abs(x) + real_abs(y)));
         out->off_w[k] = a->error_w[k];
     }
     for (int k = 0; k < 2; k++) {
@@ -169,7 +170,8 @@ static bool model_make(const struct germ *of, real ex, real ey, struct model *ou
     return true;
 }
 
-/* How far the exact x, or y, is from the model's for |z| <= s: P/A - P'/A' = (P - P')/A - (P'/A') (A - A')/A. */
+/* How far the exact x, or y, is from the model's for |z| <= s: P/A - P'/A' = (P - P')/A - (P'/A') (A - A')/A.
+ */
 static real away(const struct model *a, const real *c, const real *off, real s)
 {
     real weights = sum_sizes(a->off_w, 0, a->n, s), sum = sum_sizes(off, 0, a->n, s);
@@ -230,12 +232,13 @@ static real sums_noise(const struct sums *c, real rho)
     return away(f, f->y, f->off_y, s) + away(g, g->y, g->off_y, v) + steep * (h / rho);
 }
 
-/* Does in both sums one term exceed all others and the noise?  Its order: p.  Terms past the sixth are at most M
- * (rho / R)^7 (1 + 1/2 + ...). */
+/* Does in both sums one term exceed all others and the noise?  Its order: p.  Terms past the sixth are at
+ * most M (rho / R)^7 (1 + 1/2 + ...). */
 static bool sums_dominated(const struct sums *c, real rho, real noise, int p[2])
 {
     const struct model *f = c->f, *g = c->g;
-    real past = 2 * (f->most * power_of(rho / f->in, SERIES + 1) + g->most * power_of(rho / g->in, SERIES + 1));
+    real past =
+        2 * (f->most * power_of(rho / f->in, SERIES + 1) + g->most * power_of(rho / g->in, SERIES + 1));
     for (int i = 0; i < 2; i++) {
         real rest = noise + past, power = 1, size[SERIES + 1], lead = 0;
         for (int k = 0; k <= SERIES; k++, power = power * rho) {
@@ -255,28 +258,36 @@ static bool sums_dominated(const struct sums *c, real rho, real noise, int p[2])
     return true;
 }
 
-static bool holds_at(const struct sums *c, int halvings, int p[2])
+/* The largest rho over 2^(step / 4), about. */
+static real rho_at(const struct sums *c, int step)
 {
-    real rho = real_ldexp(c->rho, -halvings);
+    static const int parts[4] = {64, 54, 45, 38}; /* of 64 */
+    return real_ldexp(c->rho * parts[step % 4] / 64, -(step / 4));
+}
+
+static bool holds_at(const struct sums *c, int step, int p[2])
+{
+    real rho = rho_at(c, step);
     return sums_dominated(c, rho, sums_noise(c, rho), p);
 }
 
-static bool holds_too(const struct sums *c, int halvings, const int p[2])
+static bool holds_too(const struct sums *c, int step, const int p[2])
 {
     int other[2];
-    return halvings <= REAL_BITS && holds_at(c, halvings, other) && other[0] == p[0] && other[1] == p[1];
+    return step >= 0 && step <= 4 * REAL_BITS && holds_at(c, step, other) && other[0] == p[0] &&
+           other[1] == p[1];
 }
 
-/* The last of the halvings, from `first` on, for which it holds with the same p: they are an interval. */
-static int last_of(const struct sums *c, int first, const int p[2])
+/* The last of the steps, from `from` on, up or down, where it holds with the same p: they are an interval. */
+static int last_of(const struct sums *c, int from, int way, const int p[2])
 {
-    int last = first, step = 1;
-    for (; holds_too(c, last + step, p); step = 2 * step) {
-        last += step;
+    int last = from, step = 4;
+    for (; holds_too(c, last + way * step, p); step = 2 * step) {
+        last += way * step;
     }
     for (; step > 0; step = step / 2) {
-        if (holds_too(c, last + step, p)) {
-            last += step;
+        if (holds_too(c, last + way * step, p)) {
+            last += way * step;
         }
     }
     return last;
@@ -325,29 +336,29 @@ static bool is_limited(const struct sums *c, real rho, const int p[2])
 static void ring_make(const struct sums *c, real by, int first, int last, const int p[2],
                       struct common_ring *out)
 {
-    real rho = real_ldexp(c->rho, -last);
+    real rho = rho_at(c, last);
     out->at_most = p[0] + p[1];
     out->limited = is_limited(c, rho, p);
-    out->clear = box_in(c, real_ldexp(c->rho, -first), by);
+    out->clear = box_in(c, rho_at(c, first), by);
     out->core = box_out(c, rho, by);
 }
 
 /* From the outermost; if there are too many, without some before the last. */
 static bool rings_find(const struct sums *c, real by, struct common *out)
 {
-    enum { FIRST_MAX = 64 };
+    enum { OCTAVE = 4, STEPS_MAX = 64 * OCTAVE };
     out->rings = 0;
-    for (int first = 0; first < FIRST_MAX; first++) {
+    for (int step = 0; step < STEPS_MAX; step += OCTAVE) {
         int p[2];
-        if (!holds_at(c, first, p)) {
+        if (!holds_at(c, step, p)) {
             continue;
         }
-        int last = last_of(c, first, p);
-        if (last > first || p[0] + p[1] == 0) {
+        int first = last_of(c, step, -1, p), last = last_of(c, step, 1, p);
+        if (last >= first + OCTAVE || p[0] + p[1] == 0) {
             out->rings -= out->rings == COMMON_RINGS;
             ring_make(c, by, first, last, p, &out->ring[out->rings++]);
         }
-        first = last;
+        step = last;
     }
     return out->rings > 0;
 }

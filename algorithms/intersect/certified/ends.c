@@ -390,10 +390,9 @@ bool is_in_ring(const struct solver *z, const struct interval *t, const struct i
     return false;
 }
 
-/* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if
- * not, a level with it in its middle is made. */
-enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
-                           const struct zero *x, int at_most, bool exists)
+/* whole: it holds at most so many all over. */
+static enum verdict settle_region(struct solver *z, int level, const struct zero *x, int at_most, bool exists,
+                                  bool whole)
 {
     const struct level *v = &z->level[level];
     struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
@@ -402,8 +401,6 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     if (t.lo > t.hi || s.lo > s.hi || is_solved(z, level, &t, &s)) {
         return CLOSED;
     }
-    bool whole = inside(f, x->t, x->rt) && inside(g, x->s, x->rs) && !is_cut(&v->t, x->t, x->rt) &&
-                 !is_cut(&v->s, x->s, x->rs);
     bool narrow = t.hi - t.lo <= z->p->bounds.tolerance_t && s.hi - s.lo <= z->p->bounds.tolerance_s;
     struct crossing c = {t, s, whole ? CLUSTER : CANDIDATE, whole ? at_most : 0, 0};
     if (whole && exists) {
@@ -425,6 +422,22 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     record_add(z, &c);
     solved_add(z, &t, &s, 0);
     return CLOSED;
+}
+
+/* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if
+ * not, a level with it in its middle is made. */
+enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
+                           const struct zero *x, int at_most, bool exists)
+{
+    const struct level *v = &z->level[level];
+    bool whole = inside(f, x->t, x->rt) && inside(g, x->s, x->rs) && !is_cut(&v->t, x->t, x->rt) &&
+                 !is_cut(&v->s, x->s, x->rs);
+    return settle_region(z, level, x, at_most, exists, whole);
+}
+
+enum verdict region_settle_all(struct solver *z, int level, const struct zero *x, int at_most)
+{
+    return settle_region(z, level, x, at_most, false, true);
 }
 
 enum verdict region_look(struct solver *z, int level, const struct zero *x)
