@@ -200,6 +200,13 @@ struct tally {
 
 static struct answer answer;
 
+/* A simple solution so near may share a CLUSTER of one more with the cusps. */
+static bool may_merge(const struct cusps *c, real tolerance)
+{
+    const real coarse = (real)1 / 1000;
+    return c->near_bits > 0 && (tolerance >= coarse || (REAL_BITS == 53 && c->near_bits > 11));
+}
+
 static void hold(const struct cusps *c, const struct way *w, const char *what, int number, struct tally *n)
 {
     static const char *const algorithm[] = {"certified", "certified_scalar"};
@@ -216,7 +223,7 @@ static void hold(const struct cusps *c, const struct way *w, const char *what, i
         if (judge_strict(&k, &answer.crossings, DIGITS, why))
             fail_msg("%s %d, %s: %s", what, number, algorithm[i / 3], why);
         if (answer.outcome != SOLVED || answer.candidate || answer.cluster != 1 ||
-            answer.at_most > c->multiplicity + (c->near_bits > 0))
+            answer.at_most > c->multiplicity + may_merge(c, tolerance[i % 3]))
             fail_msg("%s %d, %s at %g: %s, %d candidates, %d clusters, at most %d, not %d", what, number,
                      algorithm[i / 3], real_to_double(tolerance[i % 3]), outcome_name(answer.outcome),
                      answer.candidate, answer.cluster, answer.at_most, c->multiplicity);
@@ -280,17 +287,17 @@ static void test_near(void **state)
 {
     (void)state;
     struct tally n = {0, 0, 0, 0};
-    int cases = CASES > 17 ? CASES : 17;
+    int distances = 17, cases = CASES > distances ? CASES : distances;
     for (int i = 0; i < cases; i += cases / CASES) {
         struct random_state r = random_for(1, "near cusps", (uint64_t)i);
         struct cusps c;
         struct way w = way_of(&r);
-        cusps_make(&c, &r, 3, false, 4 + i % 17);
+        cusps_make(&c, &r, 3, false, 4 + i % distances);
         hold(&c, &w, "near cusps", i, &n);
     }
     print_message("%-28s %3d answers, %d of them told apart, at most %d steps, %d records\n", "near cusps",
                   n.cases, n.sharp, n.most_steps, n.most_records);
-    assert_true(10 * n.sharp >= 9 * n.cases && n.most_steps <= 2000);
+    assert_true(n.most_steps <= 1000);
 }
 
 /* Swapped, backwards, larger, turned: as many records of each kind, and as many solutions in them. */

@@ -186,8 +186,11 @@ enum search zero_prove(struct solver *z, int level, const struct zero *x, real w
  * the extended pair if it exists: a look closer, or a CLUSTER. */
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                            const struct zero *x, int at_most, bool exists);
-/* The same where there are at most so many in the region of the curves, beyond the nodes and the level too. */
+/* The same where there are at most so many in the region of the curves, beyond the nodes and the level too.
+ */
 enum verdict region_settle_all(struct solver *z, int level, const struct zero *x, int at_most);
+/* Only by a closer look; OPEN: there is none to be had, or no need. */
+enum verdict region_look_all(struct solver *z, int level, const struct zero *x, int at_most);
 
 /* Does what of the region is in the domain lie in a solved rectangle? */
 bool region_is_solved(const struct solver *z, int level, const struct zero *x);

@@ -271,39 +271,44 @@ static bool lies_in(const struct node *a, real x, real radius)
     return x - radius <= a->lo && a->hi <= x + radius;
 }
 
-/* What of the pair lies around `clear`, and in the core, becomes pairs. */
-static enum verdict take_out(struct solver *z, const struct pair *at, const struct zero *clear,
-                             const struct zero *core)
+/* The core has been settled. */
+static enum verdict leave_rest(struct solver *z, const struct pair *at, const struct zero *clear)
 {
+    region_solved(z, at->level, clear);
+    return pair_push_around(z, at, clear);
+}
+
+/* An outer ring: a closer look at its core if it is small, else what of the pair lies around the ring, and in
+ * the core, becomes pairs. */
+static enum verdict take_out(struct solver *z, const struct pair *at, const struct zero *clear,
+                             const struct zero *core, bool small, int at_most)
+{
+    if (small && region_look_all(z, at->level, core, at_most) == CLOSED) {
+        return leave_rest(z, at, clear);
+    }
     return pair_push_around(z, at, clear) == CLOSED ? pair_narrow(z, at, core) : OPEN;
 }
 
-/* Only the innermost is settled here; what lies around it is left to other pairs. */
+/* What lies around the innermost ring is left to other pairs. */
 static enum verdict settle_common(struct solver *z, const struct pair *at, const struct germ *a,
                                   const struct germ *b, const struct common *c)
 {
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    const struct common_ring *last = &c->ring[c->rings - 1];
     struct zero core, clear;
-    for (int i = 0; i < c->rings; i++) {
-        const struct common_ring *r = &c->ring[i];
+    for (const struct common_ring *r = c->ring; r <= last; r++) {
         core = region_of(a, b, &r->core, 1);
         clear = region_of(a, b, &r->clear, -1);
         ring_add(z, at->level, &clear, r->at_most > 0 ? &core : NULL);
-        if (i < c->rings - 1 && !(lies_in(f, core.t, core.rt) && lies_in(g, core.s, core.rs))) {
-            return take_out(z, at, &clear, &core);
+        if (r < last && !(lies_in(f, core.t, core.rt) && lies_in(g, core.s, core.rs))) {
+            return take_out(z, at, &clear, &core, is_small(a, b, &r->core), r->at_most);
         }
     }
-    const struct common_ring *last = &c->ring[c->rings - 1];
-    if (last->at_most > 0) {
-        if (!last->limited && !is_small(a, b, &last->core)) {
-            return OPEN;
-        }
-        if (region_settle_all(z, at->level, &core, last->at_most) == OPEN) {
-            return OPEN;
-        }
+    bool worth = last->limited || is_small(a, b, &last->core);
+    if (last->at_most > 0 && (!worth || region_settle_all(z, at->level, &core, last->at_most) == OPEN)) {
+        return OPEN;
     }
-    region_solved(z, at->level, &clear);
-    return pair_push_around(z, at, &clear);
+    return leave_rest(z, at, &clear);
 }
 
 enum verdict cusps_settle(struct solver *z, const struct pair *at)

@@ -440,6 +440,19 @@ enum verdict region_settle_all(struct solver *z, int level, const struct zero *x
     return settle_region(z, level, x, at_most, false, true);
 }
 
+enum verdict region_look_all(struct solver *z, int level, const struct zero *x, int at_most)
+{
+    const struct level *v = &z->level[level];
+    struct crossing c = {around(&v->t, x->t, x->rt), around(&v->s, x->s, x->rs), CLUSTER, at_most, 0};
+    cut_off(&c.t);
+    cut_off(&c.s);
+    const real shorter = (real)1 / 4;
+    bool narrow = c.t.hi - c.t.lo <= z->p->bounds.tolerance_t && c.s.hi - c.s.lo <= z->p->bounds.tolerance_s;
+    bool solved = c.t.lo > c.t.hi || c.s.lo > c.s.hi || is_solved(z, level, &c.t, &c.s);
+    bool look = !narrow && !is_busy(z, level);
+    return solved || (look && zoom(z, level, x, shorter, &c)) ? CLOSED : OPEN;
+}
+
 enum verdict region_look(struct solver *z, int level, const struct zero *x)
 {
     const struct level *v = &z->level[level];
