@@ -258,12 +258,29 @@ static bool is_small(const struct germ *a, const struct germ *b, const struct bo
     return box->r <= small * a->reach && box->s <= small * b->reach;
 }
 
-static enum verdict settle_crossed(struct solver *z, const struct pair *at, const struct germ *a,
-                                   const struct germ *b, const struct box *box, int at_most)
+/* Is it the errors that make the box so large? */
+static bool is_limited(const struct germ *a, int p, const struct germ *b, int q, const struct box *box)
 {
-    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    struct zero x = region_of(a, b, box, 1);
-    return is_small(a, b, box) ? region_settle(z, at->level, f, g, &x, at_most, false) : OPEN;
+    struct germ f = *a, g = *b;
+    struct box less;
+    for (int k = 0; k < TERMS; k++) {
+        f.error[k] = f.error_w[k] = g.error[k] = g.error_w[k] = 0;
+    }
+    crossed(&f, p, &g, q, &less);
+    return 4 * less.r <= box->r && 4 * less.s <= box->s;
+}
+
+static enum verdict settle_crossed(struct solver *z, const struct pair *at, const struct germ *a, int p,
+                                   const struct germ *b, int q, const struct box *box)
+{
+    const struct box reach = {a->reach, b->reach};
+    struct zero core = region_of(a, b, box, 1), clear = region_of(a, b, &reach, -1);
+    bool worth = is_small(a, b, box) || is_limited(a, p, b, q, box);
+    if (!worth || region_settle_all(z, at->level, &core, p * q) == OPEN) {
+        return OPEN;
+    }
+    region_solved(z, at->level, &clear);
+    return CLOSED;
 }
 
 static bool lies_in(const struct node *a, real x, real radius)
@@ -331,7 +348,7 @@ enum verdict cusps_settle(struct solver *z, const struct pair *at)
         return OPEN;
     }
     if (crossed(&a, p, &b, q, &box)) {
-        return settle_crossed(z, at, &a, &b, &box, p * q);
+        return settle_crossed(z, at, &a, p, &b, q, &box);
     }
     if (p == 2 && q == 2 && cusps_common(&a, &b, &common)) {
         return settle_common(z, at, &a, &b, &common);
