@@ -43,6 +43,7 @@
 struct model {
     int n;
     real x[TERMS], y[TERMS], w[TERMS], off_x[TERMS], off_y[TERMS], off_w[TERMS];
+    bool centred;       /* the power of x that was left out is nothing but rounding */
     real bend;          /* a */
     real r, q, in, out; /* in: R; out: 1 / sqrt(1 - q) */
     real lightest;      /* no weight, of the model or exact, is smaller there */
@@ -91,6 +92,8 @@ static void model_turn(const struct germ *a, real ex, real ey, struct model *out
         out->off_x[k] = out->off_y[k] = norm * (a->error[k] + 2 * REAL_EPSILON * (real_abs(x) + real_abs(y)));
         out->off_w[k] = a->error_w[k];
     }
+    const int many = 8;
+    out->centred = real_abs(out->x[1]) <= many * (out->off_x[1] + many * REAL_EPSILON * real_abs(out->x[2]));
     for (int k = 0; k < 2; k++) {
         out->off_x[k] += real_abs(out->x[k]);
         out->x[k] = 0;
@@ -329,8 +332,9 @@ static struct box box_in(const struct sums *c, real rho, real by)
 static bool is_limited(const struct sums *c, real rho, const int p[2])
 {
     real less = rho / 8, noise = sums_noise(c, less);
-    return !(c->least[0][p[0]] * power_of(less, p[0]) > noise &&
-             c->least[1][p[1]] * power_of(less, p[1]) > noise);
+    bool told =
+        c->least[0][p[0]] * power_of(less, p[0]) > noise && c->least[1][p[1]] * power_of(less, p[1]) > noise;
+    return c->f->centred && c->g->centred && !told;
 }
 
 static void ring_make(const struct sums *c, real by, int first, int last, const int p[2],
