@@ -286,6 +286,7 @@ static void test_sizes(void **state)
     generated_each("sizes", "--degree 1x4 --seed 1 --first 220", try_everywhere, NULL); /* once lost */
     generated_each("sizes", "--degree 3 --seed 1 --first 582", try_everywhere, NULL);
     generated_each("sizes", "--degree 2x4 --seed 1 --first 442", try_everywhere, NULL);
+    generated_each("sizes", "--degree 5 --seed 1 --first 8", try_everywhere, NULL);
 }
 
 int main(int argc, char **argv)

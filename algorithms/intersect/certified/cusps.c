@@ -251,23 +251,40 @@ static struct zero region_of(const struct germ *a, const struct germ *b, const s
     return x;
 }
 
-/* Sharp turns are no cusps: where little is gained, halves tell more. */
-static bool is_small(const struct germ *a, const struct germ *b, const struct box *box)
+static bool is_within(const struct box *a, real share, real r, real s)
 {
-    const real small = (real)1 / 16;
-    return box->r <= small * a->reach && box->s <= small * b->reach;
+    return a->r <= share * r && a->s <= share * s;
 }
 
-/* Is it the errors that make the box so large? */
-static bool is_limited(const struct germ *a, int p, const struct germ *b, int q, const struct box *box)
+/* As if the germ were exact. */
+static void without_errors(const struct germ *a, struct germ *out)
 {
-    struct germ f = *a, g = *b;
-    struct box less;
-    for (int k = 0; k < TERMS; k++) {
-        f.error[k] = f.error_w[k] = g.error[k] = g.error_w[k] = 0;
+    *out = *a;
+    for (int k = 0; k <= a->n; k++) {
+        out->error[k] = out->error_w[k] = 0;
     }
-    crossed(&f, p, &g, q, &less);
-    return 4 * less.r <= box->r && 4 * less.s <= box->s;
+}
+
+/* Where little is gained, halves tell more: sharp turns are no cusps.  Unless it is the errors that make the
+ * box so large. */
+static bool is_worth(const struct germ *a, int p, const struct germ *b, int q, const struct box *box,
+                     bool cross)
+{
+    const real small = (real)1 / 16, less = (real)1 / 2;
+    if (is_within(box, small, a->reach, b->reach)) {
+        return true;
+    }
+    struct germ f, g;
+    struct common c;
+    struct box exact = {REAL_HUGE, REAL_HUGE};
+    without_errors(a, &f);
+    without_errors(b, &g);
+    if (cross) {
+        crossed(&f, p, &g, q, &exact);
+    } else if (cusps_common(&f, &g, &c)) {
+        exact = c.ring[c.rings - 1].core;
+    }
+    return is_within(&exact, less, box->r, box->s);
 }
 
 static enum verdict settle_crossed(struct solver *z, const struct pair *at, const struct germ *a, int p,
@@ -275,8 +292,7 @@ static enum verdict settle_crossed(struct solver *z, const struct pair *at, cons
 {
     const struct box reach = {a->reach, b->reach};
     struct zero core = region_of(a, b, box, 1), clear = region_of(a, b, &reach, -1);
-    bool worth = is_small(a, b, box) || is_limited(a, p, b, q, box);
-    if (!worth || region_settle_all(z, at->level, &core, p * q) == OPEN) {
+    if (!is_worth(a, p, b, q, box, true) || region_settle_all(z, at->level, &core, p * q) == OPEN) {
         return OPEN;
     }
     region_solved(z, at->level, &clear);
@@ -312,17 +328,18 @@ static enum verdict settle_common(struct solver *z, const struct pair *at, const
 {
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     const struct common_ring *last = &c->ring[c->rings - 1];
+    const real small = (real)1 / 16;
     struct zero core, clear;
     for (const struct common_ring *r = c->ring; r <= last; r++) {
         core = region_of(a, b, &r->core, 1);
         clear = region_of(a, b, &r->clear, -1);
         ring_add(z, at->level, &clear, r->at_most > 0 ? &core : NULL);
         if (r < last && !(lies_in(f, core.t, core.rt) && lies_in(g, core.s, core.rs))) {
-            return take_out(z, at, &clear, &core, is_small(a, b, &r->core), r->at_most);
+            return take_out(z, at, &clear, &core, is_within(&r->core, small, a->reach, b->reach), r->at_most);
         }
     }
-    bool worth = last->limited || is_small(a, b, &last->core);
-    if (last->at_most > 0 && (!worth || region_settle_all(z, at->level, &core, last->at_most) == OPEN)) {
+    if (last->at_most > 0 && (!is_worth(a, 2, b, 2, &last->core, false) ||
+                              region_settle_all(z, at->level, &core, last->at_most) == OPEN)) {
         return OPEN;
     }
     return leave_rest(z, at, &clear);

@@ -22,10 +22,9 @@ struct box {
 };
 
 /* Every solution within `clear` of the centres is within `core`; there are at most at_most of them in
- * `clear`, with multiplicity.  limited: it is rounding that makes the core so large. */
+ * `clear`, with multiplicity. */
 struct common_ring {
     int at_most;
-    bool limited;
     struct box core, clear;
 };
 

@@ -43,7 +43,6 @@
 struct model {
     int n;
     real x[TERMS], y[TERMS], w[TERMS], off_x[TERMS], off_y[TERMS], off_w[TERMS];
-    bool centred;       /* the power of x that was left out is nothing but rounding */
     real bend;          /* a */
     real r, q, in, out; /* in: R; out: 1 / sqrt(1 - q) */
     real lightest;      /* no weight, of the model or exact, is smaller there */
@@ -92,8 +91,6 @@ static void model_turn(const struct germ *a, real ex, real ey, struct model *out
         out->off_x[k] = out->off_y[k] = norm * (a->error[k] + 2 * REAL_EPSILON * (real_abs(x) + real_abs(y)));
         out->off_w[k] = a->error_w[k];
     }
-    const int many = 8;
-    out->centred = real_abs(out->x[1]) <= many * (out->off_x[1] + many * REAL_EPSILON * real_abs(out->x[2]));
     for (int k = 0; k < 2; k++) {
         out->off_x[k] += real_abs(out->x[k]);
         out->x[k] = 0;
@@ -328,21 +325,11 @@ static struct box box_in(const struct sums *c, real rho, real by)
     return b;
 }
 
-/* Would an eighth of rho be hidden by rounding alone? */
-static bool is_limited(const struct sums *c, real rho, const int p[2])
-{
-    real less = rho / 8, noise = sums_noise(c, less);
-    bool told =
-        c->least[0][p[0]] * power_of(less, p[0]) > noise && c->least[1][p[1]] * power_of(less, p[1]) > noise;
-    return c->f->centred && c->g->centred && !told;
-}
-
 static void ring_make(const struct sums *c, real by, int first, int last, const int p[2],
                       struct common_ring *out)
 {
     real rho = rho_at(c, last);
     out->at_most = p[0] + p[1];
-    out->limited = is_limited(c, rho, p);
     out->clear = box_in(c, rho_at(c, first), by);
     out->core = box_out(c, rho, by);
 }

@@ -173,24 +173,39 @@ static int report(struct solver *z, int level, const struct zero *x)
     return 0;
 }
 
-/* Nodes over (t +- wt) x (s +- ws) and the zero in them, if there is just one. */
-static enum search search_around(struct solver *z, int level, real t, real s, real wt, real ws,
-                                 struct node *f, struct node *g, struct zero *x)
+/* Nodes over (t +- wt) x (s +- ws), as far as the level goes; numbers: their memory. */
+static inline void cut_around(const struct level *v, real t, real s, real wt, real ws,
+                              real numbers[2][7 * DEGREE_MAX + 3], struct node *f, struct node *g)
 {
-    const struct level *v = &z->level[level];
-    real numbers[2][7 * DEGREE_MAX + 3];
     f->points = numbers[0];
     g->points = numbers[1];
     f->way = numbers[0] + (v->f.rational ? 3 : 2) * (v->f.n + 1);
     g->way = numbers[1] + (v->g.rational ? 3 : 2) * (v->g.n + 1);
     node_cut(&v->f, real_max(t - wt, (real)0), real_min(t + wt, (real)1), f);
     node_cut(&v->g, real_max(s - ws, (real)0), real_min(s + ws, (real)1), g);
+}
+
+/* Such nodes, and the zero in them, if there is just one. */
+static enum search search_around(struct solver *z, int level, real t, real s, real wt, real ws,
+                                 struct node *f, struct node *g, struct zero *x)
+{
+    const struct level *v = &z->level[level];
+    real numbers[2][7 * DEGREE_MAX + 3];
+    cut_around(v, t, s, wt, ws, numbers, f, g);
     node_prepare(&v->f, f);
     node_prepare(&v->g, g);
     real c = cone_gap(f, g);
     enum search found = c > 0 ? solve_one(v, f, g, c, x) : STUCK;
     f->points = f->way = g->points = g->way = NULL;
     return found;
+}
+
+static bool region_meets(const struct solver *z, int level, const struct zero *x)
+{
+    real numbers[2][7 * DEGREE_MAX + 3];
+    struct node f, g;
+    cut_around(&z->level[level], x->t, x->s, x->rt, x->rs, numbers, &f, &g);
+    return nodes_meet(&f, &g);
 }
 
 enum search zero_prove(struct solver *z, int level, const struct zero *x, real wt, real ws,
@@ -437,6 +452,9 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
 
 enum verdict region_settle_all(struct solver *z, int level, const struct zero *x, int at_most)
 {
+    if (!region_meets(z, level, x)) {
+        return CLOSED;
+    }
     return settle_region(z, level, x, at_most, false, true);
 }
 
