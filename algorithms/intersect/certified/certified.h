@@ -199,8 +199,9 @@ enum verdict region_look(struct solver *z, int level, const struct zero *x);
 
 /* All solutions of the region are settled, by records or levels that this step has made. */
 void region_solved(struct solver *z, int level, const struct zero *x);
-/* All solutions of the region `clear` are in `core`; NULL: there are none. */
-void ring_add(struct solver *z, int level, const struct zero *clear, const struct zero *core);
+/* All solutions of the region `clear` are in `core`; NULL: there are none.  more: there is more than cusps in
+ * the core. */
+void ring_add(struct solver *z, int level, const struct zero *clear, const struct zero *core, bool more);
 /* Is the rectangle in a ring, but not in its core? */
 bool is_in_ring(const struct solver *z, const struct interval *t, const struct interval *s);
 

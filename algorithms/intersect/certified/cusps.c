@@ -333,7 +333,7 @@ static enum verdict settle_common(struct solver *z, const struct pair *at, const
     for (const struct common_ring *r = c->ring; r <= last; r++) {
         core = region_of(a, b, &r->core, 1);
         clear = region_of(a, b, &r->clear, -1);
-        ring_add(z, at->level, &clear, r->at_most > 0 ? &core : NULL);
+        ring_add(z, at->level, &clear, r->at_most > 0 ? &core : NULL, r < last);
         if (r < last && !(lies_in(f, core.t, core.rt) && lies_in(g, core.s, core.rs))) {
             return take_out(z, at, &clear, &core, is_within(&r->core, small, a->reach, b->reach), r->at_most);
         }

@@ -378,18 +378,27 @@ void region_solved(struct solver *z, int level, const struct zero *x)
     }
 }
 
-void ring_add(struct solver *z, int level, const struct zero *clear, const struct zero *core)
+/* Arcs that leave a cusp together part slowly: they are halved to a part of the tolerance, or of the core
+ * where there is more than the cusps in it. */
+static real finer_than(real tolerance, real now, real core, bool more)
+{
+    const real of_tolerance = (real)1 / 64, of_core = (real)1 / 1024;
+    real finer = real_min(now, tolerance * of_tolerance);
+    return real_max(more ? real_min(finer, core * of_core) : finer, 4 * REAL_EPSILON);
+}
+
+void ring_add(struct solver *z, int level, const struct zero *clear, const struct zero *core, bool more)
 {
     const struct level *v = &z->level[level];
     struct ring r = {{2, 2}, {2, 2}, {2, 2}, {2, 2}};
-    const real finer = (real)1 / 64; /* arcs that leave a cusp together part slowly */
     if (core) {
         r.core_t = around(&v->t, core->t, core->rt);
         r.core_s = around(&v->s, core->s, core->rs);
     }
     if (region_inner(v, clear, &r.t, &r.s)) {
-        z->narrow_t = real_max(z->p->bounds.tolerance_t * finer, 4 * REAL_EPSILON);
-        z->narrow_s = real_max(z->p->bounds.tolerance_s * finer, 4 * REAL_EPSILON);
+        const struct bounds *b = &z->p->bounds;
+        z->narrow_t = finer_than(b->tolerance_t, z->narrow_t, r.core_t.hi - r.core_t.lo, more);
+        z->narrow_s = finer_than(b->tolerance_s, z->narrow_s, r.core_s.hi - r.core_s.lo, more);
         z->ring[z->rings++ % RINGS_MAX] = r;
     }
 }
