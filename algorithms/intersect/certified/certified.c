@@ -7,7 +7,7 @@
  * method on the extended pair (cone.c, solve_one.c, ends.c);
  * - strips along the chords apart: nothing; arcs side by side that turn differently: none, two, or a contact
  * (graphs.c, contact.c); a derivative of the gap of one sign: at most so many (cluster.c); a cusp at a
- * cusp: at most so many (cusps.c);
+ * cusp: at most so many (cusps.c, cusps_common.c), and none around them (rings.c);
  * - a shared arc (overlap.c); a curve that is one point (point.c).
  *
  * Where rounding hides what is there, the place is cut again with twice the digits (zoom.c).  What is still
@@ -238,7 +238,7 @@ static enum verdict settle(struct solver *z, struct pair *at)
     struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     if (z->solved + z->rings > 0) {
         struct interval t = level_t(v, f->lo, f->hi), s = level_s(v, g->lo, g->hi);
-        if (is_solved(z, at->level, &t, &s) || is_in_ring(z, &t, &s)) {
+        if (is_solved(z, at->level, &t, &s) || (z->rings > 0 && is_in_ring(z, &t, &s))) {
             return CLOSED;
         }
     }

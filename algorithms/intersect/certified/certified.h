@@ -199,11 +199,20 @@ enum verdict region_look(struct solver *z, int level, const struct zero *x);
 
 /* All solutions of the region are settled, by records or levels that this step has made. */
 void region_solved(struct solver *z, int level, const struct zero *x);
+/* The parameters of a part of the region, in the level; false: there are none. */
+bool region_inner(const struct level *v, const struct zero *x, struct interval *t, struct interval *s);
+
+/* ---- rings.c ---- */
+
 /* All solutions of the region `clear` are in `core`; NULL: there are none.  more: there is more than cusps in
  * the core. */
 void ring_add(struct solver *z, int level, const struct zero *clear, const struct zero *core, bool more);
 /* Is the rectangle in a ring, but not in its core? */
 bool is_in_ring(const struct solver *z, const struct interval *t, const struct interval *s);
+/* CANDIDATEs within a ring become what of its core is in them. */
+void rings_part(struct solver *z);
+
+/* ---- ends.c ---- */
 
 /* From local parameters of a level to the problem's, rounded outwards. */
 struct interval level_t(const struct level *v, real lo, real hi);

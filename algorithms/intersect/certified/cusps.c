@@ -1,9 +1,9 @@
 /* Cusps that meet cusps, and doubled ends that touch: how many solutions there are at most, by Rouche's
  * theorem.
  *
- * Where a derivative vanishes on both curves neither is a graph (graphs.c, gap_model.c).  Let the nodes' own
- * parameters be t0 + z and s0 + v, and their homogeneous coordinates, less a common point, P(z) with weight
- * A(z), Q(v) with weight B(v).  Solutions are the zeros of
+ * Where a derivative vanishes on both curves neither is a graph (graphs.c, gap_model.c).  Let the parameters
+ * of the level be t0 + z and s0 + v, and the homogeneous coordinates of its curves, less a common point, P(z)
+ * with weight A(z), Q(v) with weight B(v).  Solutions are the zeros of
  *
  *     H(z, v) = P(z) B(v) - Q(v) A(z),
  *
@@ -21,11 +21,16 @@
  * And with the left side over |P_p B_0|, |z|^p of a zero in the polydisc is at most that, less than r^p or
  * not: it shrinks to where they are, and one polydisc on the way where both conditions hold tells how many.
  *
+ * All this is about the curves, not the nodes: it holds beyond them too, and all solutions in the first
+ * polydisc are in the last.
+ *
  * Tangents in common: cusps_common.c.
  *
- * Rounding.  P_k = C(n, k) times k-th differences, by de Casteljau's algorithm at t0: control points err by 2
- * E each after the subtraction, so the difference by 2^k of that, and 2 n eps of itself by the algorithm.
- * Sums of terms that are not negative err relatively by less than 4 (n + m) eps. */
+ * Rounding.  P_k = C(n, k) times k-th differences of the level's control points, by de Casteljau's algorithm
+ * at t0.  With the errors of the points (of x and of w x0: 2 c->error), the subtraction (3 u S) and the
+ * differences' own rounding (2 k u S), S the level's scale, they are as if the points erred by E = 2 c->error
+ * + (2 n + 8) u S, the difference by 2^k E; and by 4 (n + 1) eps of itself by the algorithm. All against the
+ * largest weight. Sums of terms that are not negative err relatively by less than 4 (n + m) eps. */
 #include "cusps.h"
 #include "graphs.h"
 
@@ -72,13 +77,14 @@ static void germ_make(const struct level *v, const struct source *c, const struc
         py[i] = y[i] - y0 * ones[i];
         most = real_max(most, ones[i]);
     }
-    real error = (2 * c->error + (c->n + 8) * (REAL_EPSILON / 2) * v->scale) * most;
+    real error = (2 * c->error + (2 * c->n + 8) * (REAL_EPSILON / 2) * v->scale) * most;
     out->n = c->n;
     out->t = t;
     out->reach = real_max(t - a->lo, a->hi - t) * (1 + REAL_EPSILON);
     component_powers(c->n, px, t, error, out->x, spare);
     component_powers(c->n, py, t, error, out->y, out->error);
-    component_powers(c->n, ones, t, c->rational ? c->error * most : (real)0, out->w, out->error_w);
+    real weight_error = c->rational ? (c->error + c->n * REAL_EPSILON) * most : (real)0;
+    component_powers(c->n, ones, t, weight_error, out->w, out->error_w);
     for (int k = 0; k <= c->n; k++) {
         out->error[k] = real_max(out->error[k], spare[k]);
     }

@@ -1,6 +1,6 @@
 /* Two cusps with a common tangent: how many solutions there are at most, and where, by Rouche's theorem.
  *
- * Models.  x is along a direction e near both tangents, y across it; z and v are the nodes' own parameters
+ * Models.  x is along a direction e near both tangents, y across it; z and v are the level's parameters
  * less the centres, v scaled.  Take x without its powers 0 and 1, which vanish but for rounding, and the
  * coefficients as they are computed: so f has the model x = z^2 p(z) / A(z) = a z^2 (1 + ...), y = Y_f(z), g
  * x = c v^2 (1 + ...), y = Y_g(v), |c| = |a| (1 + d).  What was left out and rounding make the exact
@@ -30,25 +30,13 @@
  *
  * Where.  Over rho^2, rho^p_j, what has to be small are sums of powers of rho with coefficients >= 0, convex
  * in log rho: if it holds for the same p_j at two rho, it holds between, and no border there has a solution.
- * So all of the larger D are in the smaller one.  Those with |z| <= rho / sqrt(1 + q) are in D, and in D is
- * |z|
- * <= rho / sqrt(1 - q), v with 9/8 more; which is within the former for half the rho.
+ * So all solutions in the larger D are in the smaller one.  Whatever has |z|, |v| <= rho / sqrt(1 + q) is in
+ * D, and what is in D has |z| <= rho / sqrt(1 - q), |v| <= 9/8 of that: less than the former for half the
+ * rho.
  *
  * Rounding.  All sums are of terms that are not negative, and err relatively by less than 8 (n + m + 32) eps;
  * what underflows is nothing against the errors of control points, at least eps. */
-#include "ball.h"
-#include "cusps.h"
-
-/* A curve in the frame: powers of the model, what the exact ones may differ by, and the disc |z| <= r. */
-struct model {
-    int n;
-    real x[TERMS], y[TERMS], w[TERMS], off_x[TERMS], off_y[TERMS], off_w[TERMS];
-    real bend;          /* a */
-    real r, q, in, out; /* in: R; out: 1 / sqrt(1 - q) */
-    real lightest;      /* no weight, of the model or exact, is smaller there */
-    real most;          /* M */
-    struct series height;
-};
+#include "cusps_model.h"
 
 /* G_j for both j: of the coefficients the least and the largest modulus. */
 struct sums {
@@ -58,16 +46,6 @@ struct sums {
     real mismatch, slack;
 };
 
-/* Sum of |c_k| s^(k - from), k >= from. */
-static real sum_sizes(const real *c, int from, int n, real s)
-{
-    real sum = 0;
-    for (int k = n; k >= from; k--) {
-        sum = sum * s + real_abs(c[k]);
-    }
-    return sum;
-}
-
 static real power_of(real a, int k)
 {
     real power = 1;
@@ -75,110 +53,6 @@ static real power_of(real a, int k)
         power = power * a;
     }
     return power;
-}
-
-/* ---- models ---- */
-
-static void model_turn(const struct germ *a, real ex, real ey, struct model *out)
-{
-    real norm = real_abs(ex) + real_abs(ey);
-    out->n = a->n;
-    for (int k = 0; k <= a->n; k++) {
-        real x = a->x[k], y = a->y[k];
-        out->x[k] = ex * x + ey * y;
-        out->y[k] = ex * y - ey * x;
-        out->w[k] = a->w[k];
-        out->off_x[k] = out->off_y[k] = norm * (a->error[k] + 2 * REAL_EPSILON * (real_abs(x) + real_abs(y)));
-        out->off_w[k] = a->error_w[k];
-    }
-    for (int k = 0; k < 2; k++) {
-        out->off_x[k] += real_abs(out->x[k]);
-        out->x[k] = 0;
-    }
-    out->bend = out->x[2] / out->w[0];
-}
-
-/* The largest disc, of radii that are powers of two, with q <= 1/2: p / p_0 differs from 1 by `bent`, A /
- * A_0 by `heavy`. */
-static bool model_disc(struct model *a)
-{
-    enum { HALVINGS = 64 };
-    const real up = 1 + 8 * (a->n + 8) * REAL_EPSILON, down = 1 - 8 * (a->n + 8) * REAL_EPSILON;
-    real r = 4, size = real_abs(a->x[2]);
-    for (int k = 0; k < HALVINGS && size > 0; k++, r = r / 2) {
-        real bent = r * sum_sizes(a->x, 3, a->n, r) / size * up;
-        real heavy = r * sum_sizes(a->w, 1, a->n, r) / a->w[0] * up;
-        a->q = (bent + heavy) / (1 - heavy) * up;
-        a->lightest = (a->w[0] * (1 - heavy) - sum_sizes(a->off_w, 0, a->n, r) * up) * down;
-        if (heavy <= (real)0.25 && a->q <= (real)0.5 && a->lightest > 0) {
-            real root = real_sqrt(1 - a->q);
-            a->r = r;
-            a->in = r * root * (1 - 4 * REAL_EPSILON);
-            a->out = 1 / root * (1 + 4 * REAL_EPSILON);
-            a->most = sum_sizes(a->y, 0, a->n, r) / a->lightest * up;
-            return true;
-        }
-    }
-    return false;
-}
-
-static struct ball quotient(real a, real b)
-{
-    return ball_round(a / b, 0);
-}
-
-/* sqrt(a) where a begins with 1. */
-static void series_sqrt(const struct series *a, struct series *out)
-{
-    out->c[0] = ball_of(1, 0);
-    for (int k = 1; k <= SERIES; k++) { /* 2 out_k = a_k - sum of out_i out_(k-i), 0 < i < k */
-        struct ball rest = a->c[k];
-        for (int i = 1; i < k; i++) {
-            rest = ball_subtract(rest, ball_multiply(out->c[i], out->c[k - i]));
-        }
-        out->c[k] = ball_of(rest.mid / 2, rest.rad / 2);
-    }
-}
-
-/* B_0 to B_6. */
-static void model_series(struct model *a)
-{
-    struct series x, y, w, one, root;
-    for (int k = 0; k <= SERIES; k++) {
-        x.c[k] = k + 2 <= a->n ? quotient(a->x[k + 2], a->x[2]) : ball_of(0, 0);
-        y.c[k] = k <= a->n ? quotient(a->y[k], a->w[0]) : ball_of(0, 0);
-        w.c[k] = k <= a->n ? quotient(a->w[k], a->w[0]) : ball_of(0, 0);
-    }
-    series_invert(&w, SERIES, &one);
-    series_multiply(&x, 0, &one, SERIES, &x);
-    series_multiply(&y, 0, &one, SERIES, &y);
-    series_sqrt(&x, &root);
-    x.c[0] = ball_of(0, 0);
-    for (int k = 1; k <= SERIES; k++) {
-        x.c[k] = root.c[k - 1];
-    }
-    series_graph(&x, &y, &a->height);
-}
-
-static bool model_make(const struct germ *of, real ex, real ey, struct model *out)
-{
-    model_turn(of, ex, ey, out);
-    if (!model_disc(out)) {
-        return false;
-    }
-    model_series(out);
-    return true;
-}
-
-/* How far the exact x, or y, is from the model's for |z| <= s: P/A - P'/A' = (P - P')/A - (P'/A') (A - A')/A.
- */
-static real away(const struct model *a, const real *c, const real *off, real s)
-{
-    real weights = sum_sizes(a->off_w, 0, a->n, s), sum = sum_sizes(off, 0, a->n, s);
-    if (weights > 0) {
-        sum += sum_sizes(c, 0, a->n, s) / a->lightest * weights;
-    }
-    return sum / a->lightest;
 }
 
 /* ---- the sums ---- */
@@ -220,8 +94,7 @@ static real sums_noise(const struct sums *c, real rho)
 {
     const struct model *f = c->f, *g = c->g;
     real wide = rho * 9 / 8, s = f->out * rho, v = g->out * wide;
-    real h = (away(f, f->x, f->off_x, s) + away(g, g->x, g->off_x, v)) / real_abs(f->bend) +
-             c->mismatch * wide * wide;
+    real h = (model_away_x(f, s) + model_away_x(g, v)) / real_abs(f->bend) + c->mismatch * wide * wide;
     if (!(4 * h * c->slack <= rho * rho)) {
         return REAL_HUGE;
     }
@@ -229,7 +102,7 @@ static real sums_noise(const struct sums *c, real rho)
     for (int k = 1; k <= SERIES; k++) {
         steep += k * ball_most(g->height.c[k]) * power_of(wide, k - 1);
     }
-    return away(f, f->y, f->off_y, s) + away(g, g->y, g->off_y, v) + steep * (h / rho);
+    return model_away_y(f, s) + model_away_y(g, v) + steep * (h / rho);
 }
 
 /* Does in both sums one term exceed all others and the noise?  Its order: p.  Terms past the sixth are at

@@ -362,8 +362,7 @@ bool region_is_solved(const struct solver *z, int level, const struct zero *x)
     return is_solved(z, level, &t, &s);
 }
 
-/* A part of the region. */
-static bool region_inner(const struct level *v, const struct zero *x, struct interval *t, struct interval *s)
+bool region_inner(const struct level *v, const struct zero *x, struct interval *t, struct interval *s)
 {
     *t = level_inner(&v->t, x->t - x->rt, x->t + x->rt);
     *s = level_inner(&v->s, x->s - x->rs, x->s + x->rs);
@@ -376,42 +375,6 @@ void region_solved(struct solver *z, int level, const struct zero *x)
     if (region_inner(&z->level[level], x, &t, &s)) {
         solved_add(z, &t, &s, is_busy(z, level) ? z->levels - 1 : 0);
     }
-}
-
-/* Arcs that leave a cusp together part slowly: they are halved to a part of the tolerance, or of the core
- * where there is more than the cusps in it. */
-static real finer_than(real tolerance, real now, real core, bool more)
-{
-    const real of_tolerance = (real)1 / 64, of_core = (real)1 / 1024;
-    real finer = real_min(now, tolerance * of_tolerance);
-    return real_max(more ? real_min(finer, core * of_core) : finer, 4 * REAL_EPSILON);
-}
-
-void ring_add(struct solver *z, int level, const struct zero *clear, const struct zero *core, bool more)
-{
-    const struct level *v = &z->level[level];
-    struct ring r = {{2, 2}, {2, 2}, {2, 2}, {2, 2}};
-    if (core) {
-        r.core_t = around(&v->t, core->t, core->rt);
-        r.core_s = around(&v->s, core->s, core->rs);
-    }
-    if (region_inner(v, clear, &r.t, &r.s)) {
-        const struct bounds *b = &z->p->bounds;
-        z->narrow_t = finer_than(b->tolerance_t, z->narrow_t, r.core_t.hi - r.core_t.lo, more);
-        z->narrow_s = finer_than(b->tolerance_s, z->narrow_s, r.core_s.hi - r.core_s.lo, more);
-        z->ring[z->rings++ % RINGS_MAX] = r;
-    }
-}
-
-bool is_in_ring(const struct solver *z, const struct interval *t, const struct interval *s)
-{
-    for (int i = 0; i < z->rings && i < RINGS_MAX; i++) {
-        const struct ring *r = &z->ring[i];
-        if (within(t, &r->t) && within(s, &r->s) && (!overlap(t, &r->core_t) || !overlap(s, &r->core_s))) {
-            return true;
-        }
-    }
-    return false;
 }
 
 /* whole: it holds at most so many all over. */

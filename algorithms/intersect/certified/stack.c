@@ -55,37 +55,10 @@ static void clusters_part(struct crossings *out)
     }
 }
 
-static struct interval common_part(const struct interval *a, const struct interval *b)
-{
-    struct interval c = {real_max(a->lo, b->lo), real_min(a->hi, b->hi)};
-    return c;
-}
-
-/* CANDIDATEs within a ring are no more than what of its core is in them. */
-static void candidates_part(struct solver *z)
-{
-    for (int i = 0; i < z->rings && i < RINGS_MAX; i++) {
-        const struct ring *r = &z->ring[i];
-        const struct crossing all = {r->t, r->s, CANDIDATE, 0, 0};
-        for (int k = 0; k < z->out->count; k++) {
-            struct crossing *c = &z->out->at[k];
-            if (c->standing != CANDIDATE || !lies_in(c, &all)) {
-                continue;
-            }
-            c->t = common_part(&c->t, &r->core_t);
-            c->s = common_part(&c->s, &r->core_s);
-            if (c->t.lo > c->t.hi || c->s.lo > c->s.hi) {
-                *c = z->out->at[--z->out->count];
-                k--;
-            }
-        }
-    }
-}
-
 void records_tidy(struct solver *z)
 {
     struct crossing *at = z->out->at;
-    candidates_part(z);
+    rings_part(z);
     for (int i = 0; i < z->out->count; i++) {
         for (int k = 0; k < z->out->count; k++) {
             if (k != i && is_idle(&at[k], &at[i])) {
