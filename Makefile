@@ -21,14 +21,15 @@ PRECISIONS = double quad multi
 
 # ---- what is built from what ---------------------------------------------------------------------------------
 
-COMMON_MODULES = case case_fields case_expected number random json_text memory row progress resume path_file \
+COMMON_MODULES = case case_fields case_expected number random json_text selection memory options interrupt row progress resume \
+                 path_file \
                  exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation \
                  exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter \
                  exact_answer exact_apart truth_compare known_solutions \
                  referee referee_truth referee_place referee_pair referee_krawczyk referee_cells \
                  statistics noise regression order_estimate close_up cost_law \
                  region_case region_random
-REAL_MODULES   = real_text problem case_set algorithms_named guard external solve_options \
+REAL_MODULES   = real_text problem case_set algorithms_named guard external solving solve_options \
                  judge judge_points judge_strict decide judge_groups judge_curves judge_overlaps answer answer_table \
                  check_options check_case check_table check_estimate check_worker \
                  clock instructions time_worker contestant compare_builds compare_files timing batch_set \
@@ -36,7 +37,7 @@ REAL_MODULES   = real_text problem case_set algorithms_named guard external solv
                  planted_roots measuring path order_measure lemma_reduction lemma_cut \
                  region_problem region_answer region_check region_check_expected region_check_sample \
                  region_check_agree region_sample region_options region_time \
-                 path_set path_random path_svg path_arc path_read path_job path_rows path_options path_boxes \
+                 path_set path_random path_svg path_arc path_read path_write path_job path_rows path_options path_boxes \
                  path_timing
 
 ALGORITHMS       := $(wildcard algorithms/*.c algorithms/core/*.c algorithms/intersect/*.c algorithms/intersect/*/*.c algorithms/curvature/*.c algorithms/paths/*.c)
@@ -128,8 +129,9 @@ include algorithms/library/library.mk
 
 # tests/test_X.c is built for each precision, those named here in double only.
 TESTS_ONCE = test_case test_case_mistakes test_random test_row test_order test_close_up test_statistics test_clock \
-             test_referee test_exact test_exact_overlap test_exact_invariance test_truth \
-             test_kernels test_library test_library_batch test_region_functions
+             test_referee test_referee_bounds test_exact test_exact_overlap test_exact_invariance test_truth \
+             test_kernels test_library test_library_batch test_library_paths test_library_paths_mistakes \
+             test_region_functions
 TESTS = $(patsubst tests/%.c,%,$(wildcard tests/test_*.c))
 tests_double = $(TESTS:%=build/double/tests/%)
 tests_others = $(foreach P,quad multi,$(patsubst %,build/$(P)/tests/%,$(filter-out $(TESTS_ONCE),$(TESTS))))
@@ -171,7 +173,7 @@ AFTER_SETUP = +@$(MAKE) --no-print-directory -j$(JOBS)
 CASES ?= ../shared/cases
 
 .PHONY: all tests check check-full setup setup-build setup-check setup-reproduce reproduce figures claims peers-table \
-        peers-contacts certified-masses regions paths speed comparisons trials instructions against-lib2geom fuzz format clean help
+        peers-contacts certified-masses regions paths speed comparisons report trials instructions against-lib2geom fuzz format clean help
 
 all: $(programs) peers-found ## build everything: build/fatline and its programs
 
@@ -214,6 +216,9 @@ regions: build/double/fatline-region ## judge random regions and time regions (1
 
 speed: all ## time `certified` beside its portable engine and two libraries, family by family (10 minutes, on a quiet machine)
 	@$(PYTHON) scripts/speed
+
+report: ## write results/report.html: claims, tables and figures on one page
+	@$(PYTHON) scripts/report.py
 
 comparisons: ## profiles, growth, accuracy, every two algorithms, from results/raw/
 	@$(PYTHON) scripts/comparisons.py

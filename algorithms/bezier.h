@@ -170,11 +170,13 @@ struct intersector {
 };
 
 /* The registry: NULL-terminated, in the order of list.h.  peers[] are other people's algorithms, those that
- * are absent too (UNSUPPORTED whatever the problem); controls[] are deliberate mistakes, found by their exact
- * names only: negative controls for the tests.  intersector_floor is the yardstick, floor.c. */
+ * are absent too (UNSUPPORTED whatever the problem); intersector_variants[] are algorithms without some of
+ * their kernels, and controls[] deliberate mistakes, negative controls for the tests: both are found by their
+ * exact names only.  intersector_floor is the yardstick, floor.c. */
 extern const struct intersector *const intersectors[];
 extern const struct intersector *const peers[];
 extern const struct intersector *const intersector_floor;
+extern const struct intersector *const intersector_variants[];
 extern const struct intersector *const controls[];
 extern const struct intersector *const intersector_default;   /* for whoever asks for none by name */
 const struct intersector *intersector_find(const char *name); /* in any table; NULL if there is none */

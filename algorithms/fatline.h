@@ -5,10 +5,10 @@
  *
  * MEMORY.  No call allocates, opens, prints or exits.  All memory is a workspace: the caller asks for its
  * size, provides the bytes and releases them when they are no longer needed; there is nothing else to
- * release. Answers lie in the workspace and are good until its next use; those of fatline_batch lie in arrays
- * of the caller's.  Input arrays are read during a call
- * only, unless it is said otherwise.  A workspace may be used for any number of problems, in any order: the
- * answer depends on the problem alone, bit for bit.
+ * release. Answers lie in the workspace and are good until its next use; those of fatline_batch and
+ * fatline_paths lie in arrays and memory of the caller's.  Input arrays are read during a call only, unless
+ * it is said otherwise.  A workspace may be used for any number of problems, in any order: the answer depends
+ * on the problem alone, bit for bit.
  *
  * THREADS.  There is no global state.  Calls may run at the same time if each has a workspace and an answer
  * of its own.
@@ -203,6 +203,107 @@ FATLINE_API enum fatline_outcome fatline_batch(struct fatline_batch_workspace *w
                                                const struct fatline_pairs *pairs,
                                                const struct fatline_options *options, int first,
                                                struct fatline_batch_answer *out);
+
+/* ---- paths of many curves
+ * ---------------------------------------------------------------------------------- */
+
+/* Segments one after the other.  Segment i has the degree[i] + 1 control points that follow those of segment
+ * i - 1: point k is (points[2 k], points[2 k + 1]), its weight weights[k].  Where a segment begins at the end
+ * of the one before, that point stands there twice.  degree NULL: all are cubics; weights NULL: all 1.  What
+ * is said of the numbers of struct fatline_curve holds of each segment's; besides, the largest |coordinate|
+ * of a segment with unequal weights is 0 or between 2^-700 and 2^1000.
+ *
+ * Subpath j has the segments subpath[j]..subpath[j + 1] - 1, the last one up to the end: subpath[0] is 0, and
+ * they increase.  subpath NULL: one subpath.  Within a subpath two neighbours are joined, and so are the last
+ * segment and the first, if the end of one is exactly the beginning of the other; of rational segments weight
+ * times coordinate is compared, as rounded.  A segment that is one point is passed over if a neighbour ends
+ * or begins there. */
+struct fatline_path {
+    int count; /* segments, 0 to 2^30 */
+    const double *points;
+    const unsigned char *degree;
+    const double *weights;
+    int subpaths; /* of no meaning without `subpath` */
+    const int *subpath;
+};
+
+/* From parameter lo of segment `first` along the path to parameter hi of segment `last`: mostly one and the
+ * same; else `last` follows `first`, with or without others between them. */
+struct fatline_path_span {
+    int first, last;
+    double lo, hi;
+};
+
+/* Solutions on both spans.  UNIQUE: exactly one.  END: at most one, the one solution of two segments extended
+ * past their ends.  CLUSTER: at most at_most.  CANDIDATE: may hold none, one, or many.
+ * overlap >= 0: overlap[overlap] of the answer is a shared arc, and the spans are its outer ranges; standing
+ * is CANDIDATE.
+ * joint: of neighbours in one path, it holds the point where they join, which is no crossing but counts in
+ * at_most.
+ * chain > 0: of those with the same number, overlaps that go on from one segment to the next, and crossings
+ * that touch them there, whose solution may be an overlap's own end. */
+struct fatline_path_crossing {
+    struct fatline_path_span a, b;
+    enum fatline_standing standing;
+    int at_most; /* 1 of UNIQUE and END; 0: not known */
+    int overlap; /* or -1 */
+    int joint, chain;
+};
+
+/* Of two segments, a.first and b.first of its record: over a_inner and b_inner the curves are no farther from
+ * each other than `distance`, as of struct fatline_overlap. */
+struct fatline_path_overlap {
+    double a_inner_lo, a_inner_hi, b_inner_lo, b_inner_hi;
+    double distance;
+    int reversed;
+};
+
+/* Before the call: memory has `size` bytes, aligned as malloc aligns.  After it, crossing and overlap lie
+ * there. */
+struct fatline_paths_answer {
+    void *memory;
+    size_t size;
+    int count, overlaps; /* 0 unless SOLVED or OUT_OF_STEPS */
+    const struct fatline_path_crossing *crossing;
+    const struct fatline_path_overlap *overlap;
+    long long done;    /* pairs of segments, and single ones, that were looked at so far */
+    long long open;    /* of these, not SOLVED: what is undecided is among the records */
+    const char *error; /* NULL unless INVALID */
+    int segment;       /* that `error` speaks of, or -1 */
+};
+
+/* Of a workspace for these two paths, or for one (b NULL): one and a half megabytes, three of any degree, and
+ * of cubics without weights less than 200 bytes a segment.  Of memory for so many records, as they are found:
+ * what has up to four of them at a joint is one in the answer; two megabytes, 12 bytes a segment and 200 a
+ * record.  Points and weights are not looked at.  0: a count, a degree or a subpath is none. */
+FATLINE_API size_t fatline_paths_workspace_size(const struct fatline_path *a, const struct fatline_path *b);
+FATLINE_API size_t fatline_paths_memory_size(const struct fatline_path *a, const struct fatline_path *b,
+                                             int records);
+
+struct fatline_paths_workspace;
+/* NULL: memory is NULL or not aligned, or the size is that of no workspace. */
+FATLINE_API struct fatline_paths_workspace *fatline_paths_workspace_init(void *memory, size_t size);
+
+/* Where do paths a and b cross, or, if b is NULL, where does a cross itself?  Every common point (of one
+ * path: every point at two parameters, but joints) lies on both spans of some record; each pair of segments
+ * is solved as by fatline_intersect or fatline_batch, and records of one solution at joints are made one.
+ * Records are sorted by the place on a, (a.first, a.lo), then on b; of one path a is the earlier span, but of
+ * an overlap.  An arc that one segment runs over twice remains as CANDIDATE.
+ *
+ * options may be NULL; here 0 as a tolerance stands for 1e-10, since a segment of length L in a path of size
+ * S is known to about S / L roundings; max_steps is of each pair.  first is 0.
+ *
+ * SOLVED: all has been found.  OUT_OF_STEPS: likewise, but for the `open` pairs or segments, of which some
+ * records are wider than asked, or candidates.
+ * OUT_OF_ROOM: the memory is full, and there are no records yet.  A call with first = done, the same
+ * workspace, and memory that is larger and begins with the same bytes (realloc) goes on; paths and options
+ * are then those of the first call, whatever is given.
+ * INVALID: see `error`.  The workspace was made for less, for instance, or `first` is neither 0 nor where the
+ * last call ended for want of room. */
+FATLINE_API enum fatline_outcome fatline_paths(struct fatline_paths_workspace *w,
+                                               const struct fatline_path *a, const struct fatline_path *b,
+                                               const struct fatline_options *options, long long first,
+                                               struct fatline_paths_answer *out);
 
 /* ---- where a control point may go
  * ---------------------------------------------------------------------------- */

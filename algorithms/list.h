@@ -47,6 +47,11 @@ PEER(bezier_js)
 PEER(bezier_js_polished)
 #endif
 
+/* Variants for comparisons. */
+#if !defined(FATLINE_QUAD) && !defined(FATLINE_MULTI)
+VARIANT(certified_avx2)
+#endif
+
 CONTROL(control_discard_and)
 CONTROL(control_no_margin)
 CONTROL(control_normal_not_unit)

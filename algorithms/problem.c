@@ -207,11 +207,23 @@ static bool prepare(const struct problem *p, real extent, int e, struct workspac
     return swapped;
 }
 
-/* Not in line: what a front settles is not to pay for it. */
-__attribute__((noinline)) static enum outcome solve_prepared(const struct problem *p, const struct rest *rest,
-                                                             const struct intersector *a, struct workspace *w,
-                                                             struct crossings *out)
+/* What problem_solve is given, and what a front leaves. */
+struct call {
+    const struct problem *p;
+    const struct intersector *a;
+    struct workspace *w;
+    struct crossings *out;
+    struct rest rest;
+};
+
+/* Not in line: what a front settles is not to pay for it, not even for keeping these arguments in registers.
+ */
+__attribute__((noinline)) static enum outcome solve_prepared(const struct call *call, enum front_answer front)
 {
+    const struct problem *p = call->p;
+    const struct intersector *a = call->a;
+    struct workspace *w = call->w;
+    struct crossings *out = call->out;
     real extent = 0;
     if (!(p->tolerance > 0) || !real_is_finite(p->tolerance) || p->max_steps <= 0 ||
         !curve_measure(&p->f, &extent) || !curve_measure(&p->g, &extent)) {
@@ -220,7 +232,7 @@ __attribute__((noinline)) static enum outcome solve_prepared(const struct proble
     const int e = scale_exponent(extent);
     struct problem q;
     bool swapped = prepare(p, extent, e, w, &q);
-    q.rest = rest;
+    q.rest = front == FRONT_LEFT ? &call->rest : NULL;
     w->planned = w->plan == a && w->plan_n == q.f.degree && w->plan_m == q.g.degree;
     w->plan = a;
     w->plan_n = q.f.degree;
@@ -233,15 +245,16 @@ __attribute__((noinline)) static enum outcome solve_prepared(const struct proble
 enum outcome problem_solve(const struct problem *p, const struct intersector *a, struct workspace *w,
                            struct crossings *out)
 {
-    struct rest rest;
+    struct call call;
+    call.p = p;
+    call.a = a;
+    call.w = w;
+    call.out = out;
     out->count = out->overlaps = 0;
     out->merged = false;
     w->used = w->steps = 0;
-    enum front_answer front = a->front ? a->front(p, w, out, &rest) : FRONT_REFUSED;
-    if (front == FRONT_DONE) {
-        return SOLVED;
-    }
-    return solve_prepared(p, front == FRONT_LEFT ? &rest : NULL, a, w, out);
+    enum front_answer front = a->front ? a->front(p, w, out, &call.rest) : FRONT_REFUSED;
+    return front == FRONT_DONE ? SOLVED : solve_prepared(&call, front);
 }
 
 const char *outcome_name(enum outcome o)

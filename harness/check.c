@@ -21,19 +21,12 @@
 #include "judge/check_estimate.h"
 #include "judge/check_table.h"
 #include "judge/check_worker.h"
+#include "run/interrupt.h"
 #include "run/progress.h"
 #include "run/resume.h"
 #include "run/row.h"
 
-enum { OK = 0, NOT_RIGHT = 1, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
-
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int signal_number)
-{
-    (void)signal_number;
-    interrupted = 1;
-}
+enum { OK = 0, NOT_RIGHT = 1, FAILED = 2, BAD_DATA = 65 };
 
 /* ---- the parent ------------------------------------------------------------------------------------------
  */
@@ -148,8 +141,8 @@ static long count_lines(const struct check_options *o)
     char *text = NULL;
     size_t size = 0;
     long count = 0;
-    for (int i = 0; i < o->file_count; i++) {
-        FILE *stream = check_open_cases(o->files[i]);
+    for (int i = 0; i < selection_files(&o->cases); i++) {
+        FILE *stream = check_open_cases(selection_file(&o->cases, i));
         while (stream && getline(&text, &size, stream) >= 0)
             count += !check_line_is_blank(text);
         if (stream)
@@ -161,10 +154,10 @@ static long count_lines(const struct check_options *o)
 
 static bool reads_standard_input(const struct check_options *o)
 {
-    for (int i = 0; i < o->file_count; i++)
-        if (!strcmp(o->files[i], "-"))
+    for (int i = 0; i < selection_files(&o->cases); i++)
+        if (!strcmp(selection_file(&o->cases, i), "-"))
             return true;
-    return o->file_count == 0;
+    return false;
 }
 
 static char *group_of(const json_t *row)
@@ -176,7 +169,7 @@ static char *group_of(const json_t *row)
 /* 0, or an exit status. */
 static int open_output(int argc, char **argv, struct check_options *o, struct resume *resume)
 {
-    struct resume_rule rule = {group_of, o->algorithms.count + (o->external != NULL)};
+    struct resume_rule rule = {group_of, o->solving.algorithms.count + (o->solving.external != NULL)};
     memset((void *)resume, 0, sizeof *resume);
     resume->out = stdout;
     if (!o->rows)
@@ -197,33 +190,26 @@ int main(int argc, char **argv)
     struct check_options options;
     struct check_table table;
     struct resume output;
-    struct sigaction action;
 
     check_options_read(argc, argv, &options);
     memset(&table, 0, sizeof table);
-    memset(&action, 0, sizeof action);
     if (reads_standard_input(&options))
         check_load_standard_input();
     if (options.dry_run)
-        return check_estimate(&options, count_lines(&options));
+        return check_estimate(&options);
     int status = open_output(argc, argv, &options, &output);
     if (status)
         return status;
     progress_set_quiet(options.quiet || (options.rows && !options.output && isatty(STDOUT_FILENO)));
     progress_begin("check", count_lines(&options));
-    action.sa_handler = interrupt;
-    action.sa_flags = SA_RESETHAND; /* the second signal ends the program at once */
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    interrupt_watch(NULL);
     status = check_all(&options, output.out, &table);
     progress_end();
 
     if (!options.rows)
         check_table_write(&table, stdout);
-    if (status == OK && !table.count && !interrupted)
-        fprintf(
-            stderr,
-            "fatline check: no case was checked: there is none in the files, or none that was asked for\n");
+    if (status == OK && !table.count && !output.done && !interrupted)
+        status = selection_complain(&options.cases, "fatline check");
     if (check_table_unjudged(&table))
         fprintf(stderr, "fatline check: %ld answers unjudged for want of a truth (--truth computes it)\n",
                 check_table_unjudged(&table));

@@ -1,14 +1,16 @@
 /* `fatline compare`. */
 #include "timing/compare.h"
 
-#include <argp.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "timing/noise.h"
+#include "cases/case_set.h"
+#include "run/options.h"
 #include "run/row.h"
+#include "run/solving.h"
+#include "timing/noise.h"
 
 const char *argp_program_version = "fatline 0.1";
 
@@ -27,7 +29,7 @@ static const char documentation[] =
     "together, 5 "
     "percent each where unknown.\n\n"
     "Exit status: 0, 3 if something is slower, 1 if there was nothing to compare, 2 on failure, 64 on wrong "
-    "usage.";
+    "usage, 65 on bad data or no case.";
 
 enum { BUILDS = 256, REFERENCE, GENERATIONS, ROUNDS, SEED, FLOOR, INSTRUCTIONS, ROWS, TOLERANCE };
 
@@ -64,31 +66,36 @@ void comparison_write(const struct compare_settings *s, const struct comparison 
     fflush(stdout);
 }
 
-static int count_in(struct argp_state *state, const char *text, long lo)
-{
-    char *end;
-    long value = strtol(text, &end, 10);
-    if (end == text || *end || value < lo || value > 100000)
-        argp_error(state, "'%s' is not a whole number from %ld to 100000", text, lo);
-    return (int)value;
-}
-
 static void finish(struct argp_state *state, struct compare_settings *s)
 {
-    if (s->build[0] && !s->build[1])
+    const bool builds = s->build[0];
+    if (builds && !s->build[1])
         argp_error(state, "--builds A needs B");
-    if (s->build[0] && !s->files)
+    if (builds && !s->files)
         argp_error(state, "no FILE of cases");
-    if (!s->build[0] && s->files != 2)
+    for (int i = 0; builds && i < s->files; i++)
+        if (!strcmp(s->file[i], "-"))
+            argp_error(state, "each build reads the cases for itself: a file, not standard input");
+    if (!builds && s->files != 2)
         argp_error(state, "two files of rows are needed, or --builds A B FILE...");
-    if (s->build[0] && !s->algorithms.count)
-        algorithms_named_add(&s->algorithms, "all");
+    option_needs(state, s->algorithms.count, "--algorithm", builds, "--builds");
+    option_needs(state, s->tolerance, "--tolerance", builds, "--builds");
+    option_needs(state, s->generations, "--generations", builds, "--builds");
+    option_needs(state, s->rounds, "--rounds", builds, "--builds");
+    option_excludes(state, s->reference, "--reference", builds, "--builds");
+    option_excludes(state, s->instructions, "--instructions", builds, "--builds");
+    option_excludes(state, s->reference, "--reference", s->instructions, "--instructions");
+    s->tolerance = s->tolerance ? s->tolerance : "1e-9";
+    s->generations = s->generations ? s->generations : 11;
+    s->rounds = s->rounds ? s->rounds : 15;
+    s->reference = s->reference ? s->reference : intersector_default->name;
+    if (builds && !s->algorithms.count)
+        solving_add(state, &s->algorithms, "all");
 }
 
 static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct compare_settings *s = (struct compare_settings *)state->input;
-    const char *error;
     switch (key) {
     case BUILDS:
         s->build[0] = text;
@@ -96,27 +103,26 @@ static error_t parse(int key, char *text, struct argp_state *state)
             s->build[1] = state->argv[state->next++];
         return 0;
     case 'a':
-        error = algorithms_named_add(&s->algorithms, text);
-        if (error)
-            argp_error(state, "%s", error);
+        solving_add(state, &s->algorithms, text);
         return 0;
     case TOLERANCE:
+        option_tolerance(state, text);
         s->tolerance = text;
         return 0;
     case GENERATIONS:
-        s->generations = count_in(state, text, 3);
+        s->generations = option_integer(state, "--generations", text, 3, 100000);
         return 0;
     case ROUNDS:
-        s->rounds = count_in(state, text, 3);
+        s->rounds = option_integer(state, "--rounds", text, 3, 100000);
         return 0;
     case SEED:
-        s->seed = (uint64_t)count_in(state, text, 0);
+        s->seed = (uint64_t)option_integer(state, "--seed", text, 0, 100000);
         return 0;
     case REFERENCE:
         s->reference = text;
         return 0;
     case FLOOR:
-        s->floor = atof(text);
+        s->floor = option_number(state, "--noise-floor", text, 0, 100);
         return 0;
     case INSTRUCTIONS:
         s->instructions = true;
@@ -136,6 +142,24 @@ static error_t parse(int key, char *text, struct argp_state *state)
     }
 }
 
+/* Are all files of cases in order?  0 or an exit status. */
+static int check_cases(const struct compare_settings *s)
+{
+    int worst = 0;
+    for (int i = 0; i < s->files && worst != 2; i++) {
+        struct case_set set;
+        memset((void *)&set, 0, sizeof set);
+        int status = case_set_read(&set, s->file[i], (real)1, 1);
+        if (!status && !set.count) {
+            fprintf(stderr, "fatline compare: no case in %s\n", s->file[i]);
+            status = 65;
+        }
+        worst = status ? status : worst;
+        case_set_clear(&set);
+    }
+    return worst;
+}
+
 int main(int argc, char **argv)
 {
     static const struct argp parser = {options, parse, "FILE...", documentation, NULL, NULL, NULL};
@@ -143,14 +167,13 @@ int main(int argc, char **argv)
     struct noise noise;
     int compared = 0, slower = 0, status;
     memset((void *)&s, 0, sizeof s);
-    s.tolerance = "1e-9";
     s.max_steps = "10000";
-    s.generations = 11;
-    s.rounds = 15;
     s.seed = 1;
     s.floor = NAN;
-    s.reference = intersector_default->name;
     argp_parse(&parser, argc, argv, 0, NULL, &s);
+    status = s.build[0] ? check_cases(&s) : 0;
+    if (status)
+        return status;
     if (s.build[0] && isnan(s.floor))
         s.floor = noise_floor();
     if (s.json) {

@@ -6,8 +6,10 @@
 #include "cases/case.h"
 #include "convergence/cost_law.h"
 #include "convergence/measuring.h"
+#include "cases/json_text.h"
 #include "cases/problem.h"
-#include "run/progress.h"
+#include "run/interrupt.h"
+#include "run/options.h"
 #include "run/row.h"
 
 const char *argp_program_version = "fatline 0.1";
@@ -36,7 +38,8 @@ static const char documentation[] =
     "rounding error of the coordinates (2^-26 in double), strips are as wide as that error and the law "
     "breaks: the default "
     "ends before.\n\n"
-    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data, 130 when interrupted.";
+    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data or no case, 130 when "
+    "interrupted.";
 
 struct command {
     struct measuring measuring;
@@ -50,23 +53,24 @@ static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct command *o = (struct command *)state->input;
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->measuring;
-        return 0;
     case FROM:
-        o->from = measuring_count(state, "from", text, 0, REAL_BITS);
+        o->from = option_integer(state, "--from", text, 0, REAL_BITS);
         return 0;
     case TO:
-        o->to = measuring_count(state, "to", text, 1, REAL_BITS);
+        o->to = option_integer(state, "--to", text, 1, REAL_BITS);
         return 0;
     case EVERY:
-        o->every = measuring_count(state, "every", text, 1, REAL_BITS);
+        o->every = option_integer(state, "--every", text, 1, REAL_BITS);
         return 0;
     case MAX_STEPS:
-        o->max_steps = measuring_count(state, "max-steps", text, 1, 1000000000);
+        o->max_steps = option_integer(state, "--max-steps", text, 1, 1000000000);
         return 0;
     case ROOM:
-        o->room = measuring_count(state, "room", text, 4, 10000000);
+        o->room = option_integer(state, "--room", text, 4, 10000000);
+        return 0;
+    case ARGP_KEY_END:
+        if (o->from > o->to)
+            argp_error(state, "--from %d is beyond --to %d", o->from, o->to);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -92,23 +96,18 @@ static void report_point(const struct command *o, const struct test_case *c, con
                outcome_name(outcome));
 }
 
-static json_t *number_or_null(double a)
-{
-    return isfinite(a) ? json_real(a) : json_null();
-}
-
 static void report_law(const struct command *o, const struct test_case *c, const struct intersector *a,
                        const struct cost_law *law, int from, int to)
 {
     if (o->measuring.rows) {
-        row_write(stdout,
-                  json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i, s:i, s:i}", "id",
-                            c->id, "algorithm", a->name, "precision", REAL_NAME, "law",
-                            cost_model_name(law->model), "exponent", number_or_null(law->p), "lo",
-                            number_or_null(law->lo), "hi", number_or_null(law->hi), "c",
-                            number_or_null(law->c), "b", number_or_null(law->b), "rms_logarithmic",
-                            number_or_null(law->rms_logarithmic), "rms_power", number_or_null(law->rms_power),
-                            "points", law->points, "log2_eps_from", -from, "log2_eps_to", -to));
+        row_write(stdout, json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i, s:i, s:i}",
+                                    "id", c->id, "algorithm", a->name, "precision", REAL_NAME, "law",
+                                    cost_model_name(law->model), "exponent", json_number_or_null(law->p),
+                                    "lo", json_number_or_null(law->lo), "hi", json_number_or_null(law->hi),
+                                    "c", json_number_or_null(law->c), "b", json_number_or_null(law->b),
+                                    "rms_logarithmic", json_number_or_null(law->rms_logarithmic), "rms_power",
+                                    json_number_or_null(law->rms_power), "points", law->points,
+                                    "log2_eps_from", -from, "log2_eps_to", -to));
         return;
     }
     if (law->model == POWER)
@@ -132,7 +131,7 @@ static void climb(struct command *o, const struct test_case *c, struct problem *
 {
     double bits[POINTS_MAX], steps[POINTS_MAX];
     int n = 0, last = o->from;
-    for (int b = o->from; b <= o->to && n < POINTS_MAX && !measuring_is_interrupted(); b += o->every) {
+    for (int b = o->from; b <= o->to && n < POINTS_MAX && !interrupted; b += o->every) {
         p->tolerance = real_ldexp(1, -b);
         o->accepted = 0;
         enum outcome outcome = problem_solve(p, a, &o->workspace, o->crossings);
@@ -151,12 +150,9 @@ static bool measure(void *data, struct test_case *c)
 {
     struct command *o = (struct command *)data;
     struct owned_problem owned;
-    const char *why_not = owned_problem_make(c, (real)1, o->max_steps, &owned);
-    if (why_not) {
-        progress_note("%s:%d: %s", c->file, c->line_number, why_not);
+    if (!measuring_problem(c, (real)1, o->max_steps, &owned))
         return false;
-    }
-    for (int i = 0; i < o->measuring.algorithms.count && !measuring_is_interrupted(); i++)
+    for (int i = 0; i < o->measuring.algorithms.count && !interrupted; i++)
         climb(o, c, &owned.problem, o->measuring.algorithms.at[i]);
     owned_problem_clear(&owned);
     return true;
@@ -164,16 +160,14 @@ static bool measure(void *data, struct test_case *c)
 
 int main(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&measuring_argp, 0, 0, 0}, {0, 0, 0, 0}};
-    static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
+    static const struct argp own = {options, parse, 0, 0, 0, 0, 0};
     static struct command o;
     o.from = 4;
     o.to = REAL_BITS < 300 ? REAL_BITS / 3 : 100;
     o.every = 2;
     o.max_steps = 1000000;
     o.room = 8 * WORKSPACE_ROOM;
-    if (argp_parse(&argp, argc, argv, 0, NULL, &o))
-        return 64;
+    measuring_read(argc, argv, &own, documentation, &o.measuring);
     workspace_make(&o.workspace, o.measuring.algorithms.at, DEGREE_MAX, DEGREE_MAX, o.room);
     o.crossings = (struct crossings *)malloc(sizeof *o.crossings);
     if (!o.crossings)

@@ -1,5 +1,4 @@
 /* `fatline doctor`: the same code against itself.  How small a difference means something here? */
-#include <argp.h>
 #include <limits.h>
 #include <math.h>
 #include <sched.h>
@@ -11,6 +10,7 @@
 #include "cases/case_set.h"
 #include "timing/clock.h"
 #include "timing/noise.h"
+#include "run/options.h"
 #include "run/row.h"
 #include "timing/statistics.h"
 
@@ -25,7 +25,7 @@ static const char documentation[] = "Times one algorithm against itself, interle
                                     "and one with the verdict. Exit status: 0 if "
                                     "the ratio's 99 percent interval holds 1 in at least 19 trials of 20, "
                                     "else 1; 2 on an input or output error, 64 on "
-                                    "wrong usage, 65 on bad data.";
+                                    "wrong usage, 65 on bad data or no case.";
 
 enum { TRIALS = 256, ROUNDS, JSON, FORGET };
 static const double level = 0.99, tolerance = 1e-9;
@@ -52,15 +52,6 @@ struct side {
     struct crossings *crossings;
 };
 
-static int count_in(struct argp_state *state, const char *text)
-{
-    char *end;
-    long value = strtol(text, &end, 10);
-    if (end == text || *end || value < 5 || value > 100000)
-        argp_error(state, "'%s' is not a whole number from 5 to 100000", text);
-    return (int)value;
-}
-
 static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct settings *s = (struct settings *)state->input;
@@ -71,10 +62,10 @@ static error_t parse(int key, char *text, struct argp_state *state)
             argp_error(state, "no algorithm '%s', see `fatline list`", text);
         return 0;
     case TRIALS:
-        s->trials = count_in(state, text);
+        s->trials = option_integer(state, "--trials", text, 5, 100000);
         return 0;
     case ROUNDS:
-        s->rounds = count_in(state, text);
+        s->rounds = option_integer(state, "--rounds", text, 5, 100000);
         return 0;
     case JSON:
         s->json = true;
@@ -217,7 +208,7 @@ int main(int argc, char **argv)
     if (!s.file)
         remove(file);
     if (!status && !set.count) {
-        fprintf(stderr, "fatline doctor: no cases\n");
+        fprintf(stderr, "fatline doctor: no case in %s\n", strcmp(file, "-") ? file : "standard input");
         status = 65;
     }
     if (!status)

@@ -1,5 +1,4 @@
 /* fatline generate: case lines of a family, from a seed. */
-#include <argp.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -7,10 +6,14 @@
 
 #include "families/family.h"
 #include "families/glyphs.h"
+#include "run/options.h"
 
 enum { EXIT_BROKEN = 2, DEGREES_MAX = 64 };
 
 const char *argp_program_version = "fatline 0.1";
+
+static const char default_fonts[] = "DejaVu Sans,DejaVu Serif,Latin Modern Roman";
+static const char default_letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789&";
 
 struct arguments {
     const char *family, *fonts, *letters;
@@ -37,16 +40,6 @@ static const struct argp_option options[] = {
     {"letters", 'L', "TEXT", 0, "glyphs: letters to take (default a-z, A-Z, 0-9 and &)", 1},
     {"list", 'l', NULL, 0, "List the families", 2},
     {0}};
-
-static uint64_t parse_number(struct argp_state *state, const char *name, const char *text, uint64_t max)
-{
-    char *end;
-    errno = 0;
-    uint64_t value = strtoull(text, &end, 10);
-    if (*text < '0' || *text > '9' || *end || errno || value > max)
-        argp_error(state, "--%s: '%s', expected an integer from 0 to %" PRIu64, name, text, max);
-    return value;
-}
 
 static void parse_degrees(struct argp_state *state, const char *text, struct arguments *a)
 {
@@ -83,6 +76,20 @@ static void parse_gaps(struct argp_state *state, const char *text, struct argume
     a->gaps = (int)(hi - lo) + 1;
 }
 
+static void complete(struct argp_state *state, const struct arguments *a)
+{
+    const bool glyphs = a->family && !strcmp(a->family, "glyphs");
+    if (!a->family && !a->list)
+        argp_error(state, "which family?  --list shows them");
+    if (a->list && state->argc > 2)
+        argp_error(state, "--list goes alone");
+    option_needs(state, a->fonts, "--fonts", glyphs, "the family glyphs");
+    option_needs(state, a->letters, "--letters", glyphs, "the family glyphs");
+    option_excludes(state, glyphs, "glyphs", a->degrees, "--degree");
+    option_excludes(state, glyphs, "glyphs", a->weights, "--weights");
+    option_excludes(state, glyphs, "glyphs", a->gap, "--gap");
+}
+
 static error_t parse_option(int key, char *text, struct argp_state *state)
 {
     struct arguments *a = state->input;
@@ -91,13 +98,13 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         parse_degrees(state, text, a);
         break;
     case 'c':
-        a->count = parse_number(state, "count", text, UINT64_MAX);
+        a->count = option_seed(state, "--count", text);
         break;
     case 's':
-        a->seed = parse_number(state, "seed", text, UINT64_MAX);
+        a->seed = option_seed(state, "--seed", text);
         break;
     case 'f':
-        a->first = parse_number(state, "first", text, UINT64_MAX);
+        a->first = option_seed(state, "--first", text);
         break;
     case 'g':
         parse_gaps(state, text, a);
@@ -120,8 +127,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         a->family = text;
         break;
     case ARGP_KEY_END:
-        if (!a->family && !a->list)
-            argp_error(state, "which family?  --list shows them");
+        complete(state, a);
         break;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -217,17 +223,15 @@ int main(int argc, char **argv)
                                      NULL,
                                      NULL,
                                      NULL};
-    struct arguments a = {.count = 1,
-                          .seed = 1,
-                          .fonts = "DejaVu Sans,DejaVu Serif,Latin Modern Roman",
-                          .letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789&"};
+    struct arguments a = {.count = 1, .seed = 1};
     char why[512];
     int status = 0;
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     if (a.list) {
         list_families();
     } else if (!strcmp(a.family, "glyphs")) {
-        status = glyphs_write(stdout, a.fonts, a.letters, a.seed, a.first, a.count, why);
+        status = glyphs_write(stdout, a.fonts ? a.fonts : default_fonts,
+                              a.letters ? a.letters : default_letters, a.seed, a.first, a.count, why);
         if (status)
             fprintf(stderr, "fatline generate: %s\n", why);
     } else {

@@ -6,8 +6,10 @@
 #include "../algorithms/core/reduce.h"
 #include "convergence/lemma_measure.h"
 #include "convergence/measuring.h"
+#include "cases/json_text.h"
 #include "cases/problem.h"
-#include "run/progress.h"
+#include "run/interrupt.h"
+#include "run/options.h"
 #include "run/row.h"
 
 const char *argp_program_version = "fatline 0.1";
@@ -35,7 +37,7 @@ static const char documentation[] = "Measure the exponents and constants of the 
                                     "(4) is printed; corrected: of the one that "
                                     "cuts g against the box that f was just left.\n\n"
                                     "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on "
-                                    "bad data or a case without known "
+                                    "bad data, no case or a case without known "
                                     "solutions, 130 when interrupted.";
 
 struct command {
@@ -48,20 +50,12 @@ static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct command *o = (struct command *)state->input;
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->measuring;
-        return 0;
     case SECONDS:
-        o->seconds = measuring_count(state, "seconds", text, 1, 1000000);
+        o->seconds = option_integer(state, "--seconds", text, 1, 1000000);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }
-}
-
-static json_t *number_or_null(double a)
-{
-    return isfinite(a) ? json_real(a) : json_null();
 }
 
 /* What a row is about. */
@@ -75,20 +69,17 @@ struct figure {
     int points;
 };
 
-static void write_figure(const struct command *o, const struct subject *s, const struct figure *v)
+/* "-" where there is no number. */
+static void print_cell(const char *format, int width, double a)
 {
-    if (o->measuring.rows) {
-        json_t *row = json_pack(
-            "{s:s, s:i, s:s?, s:s, s:s, s:s, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i}", "id", s->id,
-            "solution", s->solution, "algorithm", s->algorithm, "precision", REAL_NAME, "statement",
-            s->statement, "curve", s->curve, "k", s->k, "j", s->j < 0 ? json_null() : json_integer(s->j),
-            "exponent", number_or_null(v->exponent), "lo", number_or_null(v->lo), "hi", number_or_null(v->hi),
-            "constant", number_or_null(v->constant), "expected_exponent",
-            number_or_null(v->expected_exponent), "expected_constant", number_or_null(v->expected_constant),
-            "scalar_constant", number_or_null(v->scalar_constant), "points", v->points);
-        row_write(stdout, row);
-        return;
-    }
+    if (isfinite(a))
+        printf(format, width, a);
+    else
+        printf("%*s", width, "-");
+}
+
+static void print_figure(const struct subject *s, const struct figure *v)
+{
     static bool begun;
     if (!begun)
         printf("%-18s %-22s %-9s %5s %2s %2s %9s %9s %13s %13s %13s\n", "case", "algorithm", "statement",
@@ -97,8 +88,40 @@ static void write_figure(const struct command *o, const struct subject *s, const
     printf("%-18s %-22s %-9s %5s %2d ", s->id, s->algorithm ? s->algorithm : "-", s->statement, s->curve,
            s->k);
     printf(s->j < 0 ? " - " : "%2d ", s->j);
-    printf("%9.4f %9.4g %13.6g %13.6g %13.6g\n", v->exponent, v->expected_exponent, v->constant,
-           v->expected_constant, v->scalar_constant);
+    print_cell("%*.4f", 9, v->exponent);
+    print_cell("%*.4g", 10, v->expected_exponent);
+    print_cell("%*.6g", 14, v->constant);
+    print_cell("%*.6g", 14, v->expected_constant);
+    print_cell("%*.6g", 14, v->scalar_constant);
+    putchar('\n');
+}
+
+static void print_bound(const struct subject *s, const struct sharpness *used)
+{
+    printf("%-18s %-22s %-9s %5s %2d  -  ", s->id, s->algorithm, s->statement, s->curve, s->k);
+    if (isfinite(used->least) && isfinite(used->most))
+        printf("between %.4f and %.4f of C_f x^(k+1) + C_g y^2, %d boxes\n", used->least, used->most,
+               used->points);
+    else
+        printf("-\n");
+}
+
+static void write_figure(const struct command *o, const struct subject *s, const struct figure *v)
+{
+    if (o->measuring.rows) {
+        json_t *row = json_pack(
+            "{s:s, s:i, s:s?, s:s, s:s, s:s, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i}", "id", s->id,
+            "solution", s->solution, "algorithm", s->algorithm, "precision", REAL_NAME, "statement",
+            s->statement, "curve", s->curve, "k", s->k, "j", s->j < 0 ? json_null() : json_integer(s->j),
+            "exponent", json_number_or_null(v->exponent), "lo", json_number_or_null(v->lo), "hi",
+            json_number_or_null(v->hi), "constant", json_number_or_null(v->constant), "expected_exponent",
+            json_number_or_null(v->expected_exponent), "expected_constant",
+            json_number_or_null(v->expected_constant), "scalar_constant",
+            json_number_or_null(v->scalar_constant), "points", v->points);
+        row_write(stdout, row);
+    } else {
+        print_figure(s, v);
+    }
 }
 
 static void measure_reduction(const struct command *o, const struct test_case *c,
@@ -106,7 +129,7 @@ static void measure_reduction(const struct command *o, const struct test_case *c
 {
     int n = (of_g ? &c->g : &c->f)->degree;
     for (int k = 1; k <= 3 && k < n; k++)
-        for (int j = -1; j <= k && !measuring_is_interrupted(); j++) {
+        for (int j = -1; j <= k && !interrupted; j++) {
             struct subject s = {c->id, NULL, j < 0 ? "3.2" : "3.3", of_g ? "g" : "f", solution, k, j};
             struct power_law l = reduction_law(c, z, of_g, k, j);
             struct figure v = {l.exponent,
@@ -151,8 +174,7 @@ static void measure_cut(struct command *o, const struct test_case *c, const stru
     s.statement = "bound";
     struct figure u = {NAN, used.least, used.most, NAN, NAN, NAN, NAN, used.points};
     if (!o->measuring.rows)
-        printf("%-18s %-22s %-9s %5s %2d  -  between %.4f and %.4f of C_f x^(k+1) + C_g y^2, %d boxes\n",
-               c->id, a->name, "bound", s.curve, k, used.least, used.most, used.points);
+        print_bound(&s, &used);
     else
         write_figure(o, &s, &u);
 }
@@ -174,7 +196,7 @@ static void measure_solution(struct command *o, const struct test_case *c, const
     for (int of_g = 0; of_g < 2; of_g++)
         if (!(of_g ? &c->g : &c->f)->rational)
             measure_reduction(o, c, z, solution, of_g);
-    for (int i = 0; i < o->measuring.algorithms.count && !measuring_is_interrupted(); i++) {
+    for (int i = 0; i < o->measuring.algorithms.count && !interrupted; i++) {
         for (int of_g = 0; of_g < 2; of_g++)
             measure_cut(o, c, o->measuring.algorithms.at[i], z, solution, of_g);
         measure_sweeps(o, c, o->measuring.algorithms.at[i], z, solution);
@@ -186,12 +208,9 @@ static bool measure(void *data, struct test_case *c)
 {
     struct command *o = (struct command *)data;
     struct known_solutions known;
-    const char *why_not = known_solutions_make(c, (int)(2 * REAL_BITS * 0.30103) + 10, o->seconds, &known);
-    if (why_not) {
-        progress_note("%s:%d: %s: no solutions: %s", c->file, c->line_number, c->id, why_not);
+    if (!measuring_solutions(c, (int)(2 * REAL_BITS * 0.30103) + 10, o->seconds, &known))
         return false;
-    }
-    for (int i = 0; i < known.count && !measuring_is_interrupted(); i++)
+    for (int i = 0; i < known.count && !interrupted; i++)
         if (known.at[i].multiplicity == 1)
             measure_solution(o, c, &known.at[i], i);
     known_solutions_clear(&known);
@@ -200,12 +219,10 @@ static bool measure(void *data, struct test_case *c)
 
 int main(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&measuring_argp, 0, 0, 0}, {0, 0, 0, 0}};
-    static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
+    static const struct argp own = {options, parse, 0, 0, 0, 0, 0};
     static struct command o;
     o.seconds = 60;
-    if (argp_parse(&argp, argc, argv, 0, NULL, &o))
-        return 64;
+    measuring_read(argc, argv, &own, documentation, &o.measuring);
     order_bench_make(&o.bench, o.measuring.algorithms.at, DEGREE_MAX);
     int status = measuring_run(&o.measuring, argc, argv, measure, &o);
     order_bench_clear(&o.bench);

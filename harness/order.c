@@ -5,12 +5,16 @@
 
 #include "convergence/measuring.h"
 #include "convergence/order_measure.h"
+#include "cases/json_text.h"
 #include "cases/problem.h"
+#include "run/interrupt.h"
+#include "run/options.h"
 #include "run/progress.h"
 #include "run/row.h"
 
 const char *argp_program_version = "fatline 0.1";
 
+enum { OK = 0, BAD_DATA = 65 };
 enum { PROTOCOL = 256, BITS, SOLUTION, SECONDS };
 
 static const struct argp_option options[] = {
@@ -45,15 +49,16 @@ static const char documentation[] =
     "clipping; exact: one round leaves only rounding; too_few: not enough rounds above rounding to tell. At "
     "a "
     "solution of multiplicity mu rounding is taken to begin at the mu-th root of that of a crossing.\n\n"
-    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data or a case without "
-    "known "
-    "solutions, 130 when interrupted.";
+    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data, no case or a case "
+    "without "
+    "known solutions, 130 when interrupted.";
 
 struct command {
     struct measuring measuring;
     bool rounds, boxes;
-    int bits, solution;
+    int bits, solution; /* bits 0: not given */
     double seconds;
+    bool measured;
     struct order_bench bench;
 };
 
@@ -61,9 +66,6 @@ static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct command *o = (struct command *)state->input;
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->measuring;
-        return 0;
     case PROTOCOL:
         o->rounds = strcmp(text, "boxes") != 0;
         o->boxes = strcmp(text, "rounds") != 0;
@@ -71,22 +73,21 @@ static error_t parse(int key, char *text, struct argp_state *state)
             argp_error(state, "--protocol: '%s', expected rounds, boxes or both", text);
         return 0;
     case BITS:
-        o->bits = measuring_count(state, "bits", text, 1, REAL_BITS);
+        o->bits = option_integer(state, "--bits", text, 1, REAL_BITS);
         return 0;
     case SOLUTION:
-        o->solution = measuring_count(state, "solution", text, 0, 1000000);
+        o->solution = option_integer(state, "--solution", text, 0, 1000000);
         return 0;
     case SECONDS:
-        o->seconds = measuring_count(state, "seconds", text, 1, 1000000);
+        o->seconds = option_integer(state, "--seconds", text, 1, 1000000);
+        return 0;
+    case ARGP_KEY_END:
+        option_needs(state, o->bits > 0, "--bits", o->rounds, "--protocol rounds or both");
+        o->bits = o->bits > 0 ? o->bits : REAL_BITS;
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }
-}
-
-static json_t *number_or_null(double a)
-{
-    return isfinite(a) ? json_real(a) : json_null();
 }
 
 static void write_row(const struct test_case *c, int solution, int multiplicity, const struct intersector *a,
@@ -96,10 +97,10 @@ static void write_row(const struct test_case *c, int solution, int multiplicity,
                                 c->id, "solution", solution, "multiplicity",
                                 multiplicity > 0 ? json_integer(multiplicity) : json_null(), "algorithm",
                                 a->name, "precision", REAL_NAME, "protocol", protocol, "law",
-                                law_name(e->law), "per_round", number_or_null(e->per_round), "lo",
-                                number_or_null(e->lo), "hi", number_or_null(e->hi), "points", e->points,
-                                "clips", e->clips > 0 ? json_integer(e->clips) : json_null(),
-                                "bits_per_round", number_or_null(e->bits_per_round)));
+                                law_name(e->law), "per_round", json_number_or_null(e->per_round), "lo",
+                                json_number_or_null(e->lo), "hi", json_number_or_null(e->hi), "points",
+                                e->points, "clips", e->clips > 0 ? json_integer(e->clips) : json_null(),
+                                "bits_per_round", json_number_or_null(e->bits_per_round)));
 }
 
 static void write_line(const struct test_case *c, int solution, const struct intersector *a,
@@ -140,7 +141,7 @@ static void measure_solution(struct command *o, const struct test_case *c, const
                              const struct known_solutions *known, int solution)
 {
     const struct known_solution *z = &known->at[solution];
-    for (int i = 0; i < o->measuring.algorithms.count && !measuring_is_interrupted(); i++) {
+    for (int i = 0; i < o->measuring.algorithms.count && !interrupted; i++) {
         const struct intersector *a = o->measuring.algorithms.at[i];
         if (o->rounds) {
             struct order_estimate e = order_by_rounds(&o->bench, p, a, z, o->bits);
@@ -160,22 +161,21 @@ static bool measure(void *data, struct test_case *c)
     struct owned_problem owned;
     /* For boxes, those of a box and of what a round leaves of it. */
     const int digits = (int)((o->boxes ? 2 * REAL_BITS : o->bits) * 0.30103) + 20;
-    const char *why_not = owned_problem_make(c, (real)1 / 1024, 1000000, &owned);
-    if (why_not) {
-        progress_note("%s:%d: %s", c->file, c->line_number, why_not);
+    if (!measuring_problem(c, (real)1 / 1024, 1000000, &owned))
         return false;
-    }
-    why_not = known_solutions_make(c, digits, o->seconds, &known);
-    if (why_not) {
-        progress_note("%s:%d: %s: no solutions: %s", c->file, c->line_number, c->id, why_not);
+    if (!measuring_solutions(c, digits, o->seconds, &known)) {
         owned_problem_clear(&owned);
         return false;
     }
-    if (known.count == 0)
+    if (o->solution >= known.count)
+        progress_note("%s: no solution %d, there are %d", c->id, o->solution, known.count);
+    else if (known.count == 0)
         progress_note("%s: no isolated solution", c->id);
-    for (int i = 0; i < known.count && !measuring_is_interrupted(); i++)
-        if (o->solution < 0 || o->solution == i)
+    for (int i = 0; i < known.count && !interrupted; i++)
+        if (o->solution < 0 || o->solution == i) {
             measure_solution(o, c, &owned.problem, &known, i);
+            o->measured = true;
+        }
     known_solutions_clear(&known);
     owned_problem_clear(&owned);
     return true;
@@ -183,18 +183,17 @@ static bool measure(void *data, struct test_case *c)
 
 int main(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&measuring_argp, 0, 0, 0}, {0, 0, 0, 0}};
-    static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
+    static const struct argp own = {options, parse, 0, 0, 0, 0, 0};
     struct command o;
     memset((void *)&o, 0, sizeof o);
     o.rounds = o.boxes = true;
-    o.bits = REAL_BITS;
     o.solution = -1;
     o.seconds = 60;
-    if (argp_parse(&argp, argc, argv, 0, NULL, &o))
-        return 64;
+    measuring_read(argc, argv, &own, documentation, &o.measuring);
     order_bench_make(&o.bench, o.measuring.algorithms.at, DEGREE_MAX);
     int status = measuring_run(&o.measuring, argc, argv, measure, &o);
+    if (status == OK && o.solution >= 0 && !o.measured)
+        status = BAD_DATA;
     order_bench_clear(&o.bench);
     measuring_clear(&o.measuring);
     return status;

@@ -1,6 +1,5 @@
 /* fatline paths: where paths of many curves cross each other, or themselves. */
 #include <errno.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,29 +11,11 @@
 #include "paths/path_read.h"
 #include "paths/path_rows.h"
 #include "paths/path_timing.h"
+#include "run/interrupt.h"
 #include "run/progress.h"
 #include "run/row.h"
 
-enum { OK = 0, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
-
-static volatile int interrupted;
-
-static void interrupt(int signal_number)
-{
-    (void)signal_number;
-    interrupted = 1;
-}
-
-/* The second signal ends the program at once. */
-static void watch_signals(void)
-{
-    struct sigaction action;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = interrupt;
-    action.sa_flags = SA_RESETHAND;
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-}
+enum { OK = 0, FAILED = 2, BAD_DATA = 65 };
 
 /* a with b, or with itself if b is NULL. */
 static int run_one(FILE *out, const struct path_options *o, const struct loaded_path *a,
@@ -71,6 +52,17 @@ static int run_all(FILE *out, const struct path_options *o, const struct path_se
     return worst;
 }
 
+/* 0 or an exit status: a file without a path is one. */
+static int read_file(struct path_set *set, const char *file)
+{
+    int status = path_set_read(set, file);
+    if (status == OK && set->count == 0) {
+        progress_note("fatline paths: no path in %s", strcmp(file, "-") ? file : "standard input");
+        status = BAD_DATA;
+    }
+    return status;
+}
+
 static void make_random(const struct path_options *o, struct path_set *a, struct path_set *b)
 {
     char id[2][64];
@@ -89,14 +81,14 @@ int main(int argc, char **argv)
     struct path_set a = {0, 0, NULL}, b = {0, 0, NULL};
     int read = OK, result = OK;
     path_options_read(argc, argv, &options);
-    watch_signals();
+    interrupt_watch(NULL);
     FILE *out = options.output ? fopen(options.output, "w") : stdout;
     if (!out) {
         fprintf(stderr, "%s: %s\n", options.output, strerror(errno));
         return FAILED;
     }
     for (int k = 0; k < 2 && options.files[k] && read != FAILED; k++) {
-        int status = path_set_read(k ? &b : &a, options.files[k]);
+        int status = read_file(k ? &b : &a, options.files[k]);
         read = status ? status : read;
     }
     if (options.random)

@@ -1,21 +1,22 @@
 /* fatline region: where a control point may go. */
 #include <argp.h>
 #include <errno.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "cases/selection.h"
 #include "regions/region_answer.h"
 #include "regions/region_check.h"
 #include "regions/region_options.h"
 #include "regions/region_problem.h"
 #include "regions/region_random.h"
 #include "regions/region_time.h"
+#include "run/interrupt.h"
 #include "run/row.h"
 #include "timing/clock.h"
 
-enum { OK = 0, WRONG = 1, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
+enum { OK = 0, WRONG = 1, FAILED = 2, BAD_DATA = 65 };
 
 struct program {
     struct region_options options;
@@ -23,16 +24,8 @@ struct program {
     struct region *region;
     struct region_breaks *breaks;
     struct region_checker checker;
-    long repeated;
+    long repeated, lines;
 };
-
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int signal_number)
-{
-    (void)signal_number;
-    interrupted = 1;
-}
 
 static int count_arcs(const struct region *r)
 {
@@ -179,6 +172,7 @@ static int solve_file(struct program *p, const char *path)
         number++;
         if (!text[strspn(text, " \t\r\n")])
             continue;
+        p->lines++;
         int status = solve_line(p, text, standard ? "stdin" : path, number);
         worst = status != OK ? status : worst;
         if (status != OK && !p->options.keep_going)
@@ -201,19 +195,19 @@ static void write_random(const struct region_options *o)
 
 static int solve_all(struct program *p)
 {
+    struct selection all;
     int worst = OK;
-    if (p->options.random) {
-        write_random(&p->options);
-        return OK;
-    }
-    if (p->options.file_count == 0)
-        return solve_file(p, "-");
-    for (int i = 0; i < p->options.file_count && !interrupted; i++) {
-        int status = solve_file(p, p->options.files[i]);
+    memset((void *)&all, 0, sizeof all);
+    all.files = p->options.files;
+    all.file_count = p->options.file_count;
+    for (int i = 0; i < selection_files(&all) && !interrupted; i++) {
+        int status = solve_file(p, selection_file(&all, i));
         worst = status != OK && worst != FAILED ? status : worst;
         if (status != OK && !p->options.keep_going)
             break;
     }
+    if (worst == OK && !p->lines && !interrupted)
+        worst = selection_complain(&all, "fatline region");
     return worst;
 }
 
@@ -223,7 +217,6 @@ int main(int argc, char **argv)
 {
     static struct program p;
     static struct region exact;
-    struct sigaction action;
     region_options_read(argc, argv, &p.options);
     p.region = (struct region *)malloc(sizeof *p.region);
     p.breaks = (struct region_breaks *)malloc(sizeof *p.breaks);
@@ -231,17 +224,17 @@ int main(int argc, char **argv)
         fprintf(stderr, "fatline region: out of memory\n");
         return FAILED;
     }
-    memset(&action, 0, sizeof action);
-    action.sa_handler = interrupt;
-    action.sa_flags = SA_RESETHAND; /* the second signal ends the program at once */
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    interrupt_watch(NULL);
     p.checker.rows = p.options.rows;
     if (p.options.check && p.options.count > 1 && p.options.method[0] == region_methods[0])
         p.checker.exact = &exact;
     if ((p.options.check && p.options.rows) || p.options.time)
         row_write(stdout, row_environment(argc, argv, REAL_NAME));
-    int status = solve_all(&p);
+    int status = OK;
+    if (p.options.random)
+        write_random(&p.options);
+    else
+        status = solve_all(&p);
     if (p.options.check && !p.options.rows)
         region_check_summary(&p.checker, stdout);
     if (p.options.repeat)

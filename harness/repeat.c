@@ -1,14 +1,14 @@
 /* `fatline repeat`: solves every case K times and prints nothing of it, for profilers.
  *
  * The difference of two runs with different K holds the solves alone: scripts/instructions counts so. */
-#include <argp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cases/case_set.h"
 #include "timing/clock.h"
-#include "cases/number.h"
+#include "run/options.h"
+#include "run/solving.h"
 
 const char *argp_program_version = "fatline 0.1";
 
@@ -16,7 +16,7 @@ static const char documentation[] =
     "Solves every case of FILE (-: standard input) K times, one whole pass after the other, for profilers.\v"
     "Prints one line {\"pairs\",\"passes\",\"solved\"}: the cases, K, and how many were SOLVED in a pass. "
     "Exit "
-    "status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data.";
+    "status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data or no case.";
 
 enum { TIMES = 256, TOLERANCE, MAX_STEPS, OWN_TOLERANCE };
 
@@ -37,16 +37,6 @@ struct settings {
     bool own_tolerance;
 };
 
-static int count(struct argp_state *state, const char *name, const char *text)
-{
-    char *end;
-    long value = strtol(text, &end, 10);
-
-    if (end == text || *end || value < 1 || value > 1000000000)
-        argp_error(state, "--%s: '%s' is not a whole number from 1 to 1000000000", name, text);
-    return (int)value;
-}
-
 static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct settings *s = (struct settings *)state->input;
@@ -58,17 +48,16 @@ static error_t parse(int key, char *text, struct argp_state *state)
             argp_error(state, "--algorithm: no algorithm '%s', see `fatline list`", text);
         return 0;
     case TIMES:
-        s->times = count(state, "times", text);
+        s->times = option_integer(state, "--times", text, 1, 1000000000);
         return 0;
     case TOLERANCE:
-        if (!real_parse(text, &s->tolerance) || !(s->tolerance > 0))
-            argp_error(state, "--tolerance: '%s' is not a positive number", text);
+        s->tolerance = option_tolerance(state, text);
         return 0;
     case OWN_TOLERANCE:
         s->own_tolerance = true;
         return 0;
     case MAX_STEPS:
-        s->max_steps = count(state, "max-steps", text);
+        s->max_steps = option_integer(state, "--max-steps", text, 1, 1000000000);
         return 0;
     case ARGP_KEY_ARG:
         if (s->file)
@@ -125,7 +114,11 @@ int main(int argc, char **argv)
         if (json_is_number(own))
             set.at[i].owned.problem.tolerance = (real)json_number_value(own);
     }
-    if (!status && set.count)
+    if (!status && !set.count) {
+        fprintf(stderr, "fatline repeat: no case in %s\n", strcmp(s.file, "-") ? s.file : "standard input");
+        status = 65;
+    }
+    if (!status)
         status = repeat(&s, &set);
     case_set_clear(&set);
     return status;

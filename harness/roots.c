@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "../algorithms/core/roots.h"
+#include "cases/json_text.h"
 #include "families/planted_roots.h"
 #include "run/row.h"
 #include "timing/statistics.h"
@@ -70,11 +71,6 @@ static int estimate_orders(const struct trail *t, int multiplicity, double *orde
     return count;
 }
 
-static json_t *number_or_null(bool known, double a)
-{
-    return known && isfinite(a) ? json_real(a) : json_null();
-}
-
 /* The last ratios are nearest the limit: the later half of them, or all of up to three. */
 static json_t *order_row(const struct root_finder *f, const struct question *q)
 {
@@ -87,20 +83,19 @@ static json_t *order_row(const struct root_finder *f, const struct question *q)
     f->find(q->n, q->c, q->error, real_ldexp(1, -REAL_BITS + 8), scratch, ROOM, out, &search);
     int count = q->kind == CLOSE_ROOTS ? 0 : estimate_orders(&trail, planted_kind_roots(q->kind), order);
     int used = count < 4 ? count : (count + 1) / 2;
-    double lo = INFINITY, hi = -INFINITY;
-    for (int i = count - used; i < count; i++) {
-        lo = fmin(lo, order[i]);
+    double lo = NAN, hi = NAN, middle = used >= 2 ? statistics_median(used, order + count - used) : NAN;
+    for (int i = count - used; i < count && used >= 2; i++) {
+        lo = fmin(lo, order[i]); /* fmin passes over NAN */
         hi = fmax(hi, order[i]);
     }
-    double middle = used ? statistics_median(used, order + count - used) : 0;
     return json_pack("{s:s, s:s, s:i, s:s, s:s, s:s, s:o, s:o, s:o, s:i}", "finder", f->name, "roots",
                      planted_kind_name(q->kind), "degree", q->n, "precision", REAL_NAME, "row", "order",
                      "law",
                      used < 2        ? "too_few"
                      : middle > 1.05 ? "superlinear"
                                      : "linear",
-                     "per_clip", number_or_null(used >= 2, middle), "lo", number_or_null(used >= 2, lo), "hi",
-                     number_or_null(used >= 2, hi), "points", used);
+                     "per_clip", json_number_or_null(middle), "lo", json_number_or_null(lo), "hi",
+                     json_number_or_null(hi), "points", used);
 }
 
 /* ---- cost ---- */
@@ -116,7 +111,7 @@ static json_t *cost_row(const struct root_finder *f, const struct question *q, i
     return json_pack("{s:s, s:s, s:i, s:s, s:s, s:i, s:i, s:i, s:o}", "finder", f->name, "roots",
                      planted_kind_name(q->kind), "degree", q->n, "precision", REAL_NAME, "row", "cost",
                      "log2_eps", -accuracy, "clips", search.clips, "enclosures", count, "log2_widest",
-                     number_or_null(widest > 0, log2_of(widest)));
+                     json_number_or_null(log2_of(widest)));
 }
 
 /* ---- the table ---- */

@@ -1,7 +1,5 @@
 /* fatline solve: one line for each case and algorithm. */
 #include <errno.h>
-#include <fnmatch.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,41 +14,22 @@
 #include "run/external.h"
 #include "cases/problem.h"
 #include "run/guard.h"
+#include "run/interrupt.h"
 #include "run/progress.h"
 #include "run/solve_options.h"
 #include "truth/decide.h"
 
-enum { OK = 0, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
+enum { OK = 0, FAILED = 2, BAD_DATA = 65 };
 
 struct solver {
     const struct solve_options *options;
     FILE *out;
+    long taken;        /* cases that were asked for */
     bool human, flush; /* flush: somebody may be waiting for each line */
-    struct workspace workspace;
-    int n, m; /* the workspace takes curves of these degrees; 0: there is none */
+    struct fitted_workspace memory;
     struct crossings *crossings;
     struct external external;
 };
-
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int signal_number)
-{
-    (void)signal_number;
-    interrupted = 1;
-    external_interrupt();
-}
-
-/* The second signal ends the program at once. */
-static void watch_signals(void)
-{
-    struct sigaction action;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = interrupt;
-    action.sa_flags = SA_RESETHAND;
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-}
 
 /* decided: whether it is, with --decide; else not there. */
 static void write_answer(struct solver *s, const struct answer *a, const struct problem *p,
@@ -70,25 +49,15 @@ static void write_answer(struct solver *s, const struct answer *a, const struct 
         fflush(s->out);
 }
 
-static void fit_workspace(struct solver *s, int n, int m)
-{
-    if (n <= s->n && m <= s->m)
-        return;
-    if (s->n > 0)
-        workspace_clear(&s->workspace);
-    s->n = n > s->n ? n : s->n;
-    s->m = m > s->m ? m : s->m;
-    workspace_make(&s->workspace, s->options->algorithms.at, s->n, s->m, s->options->room);
-}
-
 static void solve_by(struct solver *s, const struct test_case *c, const struct problem *p,
                      const struct intersector *algorithm)
 {
     struct answer a = {c->id, algorithm->name,        s->options->tolerance, INVALID,
                        0,     algorithm->points_only, s->crossings};
-    fit_workspace(s, p->f.degree, p->g.degree);
-    a.outcome = guard_solve(p, algorithm, &s->workspace, s->crossings);
-    a.steps = s->workspace.steps;
+    struct workspace *w = workspace_fit(&s->memory, s->options->solving.algorithms.at, p->f.degree,
+                                        p->g.degree, s->options->solving.room);
+    a.outcome = guard_solve(p, algorithm, w, s->crossings);
+    a.steps = w->steps;
     double seconds = s->options->decide;
     const char *why_not = seconds > 0 ? decide(c, p, seconds, &a.outcome, s->crossings) : NULL;
     write_answer(s, &a, p, why_not, seconds > 0 ? json_boolean(!why_not) : NULL);
@@ -111,16 +80,17 @@ static int solve_case(struct solver *s, const struct test_case *c)
 {
     const struct solve_options *o = s->options;
     struct owned_problem owned;
-    if (o->id && fnmatch(o->id, c->id, 0))
+    if (!selection_takes(&o->cases, c))
         return OK;
-    const char *why_not = owned_problem_make(c, o->tolerance, o->max_steps, &owned);
+    s->taken++;
+    const char *why_not = owned_problem_make(c, o->tolerance, o->solving.max_steps, &owned);
     if (why_not) {
         progress_note("%s:%d: %s", c->file, c->line_number, why_not);
         return BAD_DATA;
     }
-    for (int i = 0; i < o->algorithms.count && !interrupted; i++)
-        solve_by(s, c, &owned.problem, o->algorithms.at[i]);
-    if (o->external && !interrupted)
+    for (int i = 0; i < o->solving.algorithms.count && !interrupted; i++)
+        solve_by(s, c, &owned.problem, o->solving.algorithms.at[i]);
+    if (o->solving.external && !interrupted)
         solve_outside(s, c, &owned.problem);
     owned_problem_clear(&owned);
     progress_step();
@@ -185,15 +155,12 @@ static int solve_own(struct solver *s)
 
 static int solve_all(struct solver *s)
 {
-    static char standard_input[] = "-";
-    static char *const no_files[] = {standard_input};
     const struct solve_options *o = s->options;
-    char *const *files = o->file_count ? o->files : no_files;
     int worst = OK;
     if (o->own_line)
         return solve_own(s);
-    for (int i = 0; i < (o->file_count ? o->file_count : 1) && !interrupted; i++) {
-        int result = solve_file(s, files[i]);
+    for (int i = 0; i < selection_files(&o->cases) && !interrupted; i++) {
+        int result = solve_file(s, selection_file(&o->cases, i));
         if (result != OK)
             worst = worst == FAILED ? FAILED : result;
         if (result != OK && !o->keep_going)
@@ -214,9 +181,11 @@ static int open_all(struct solver *s, const struct solve_options *o)
         return FAILED;
     }
     s->flush = fstat(fileno(s->out), &out) || !S_ISREG(out.st_mode);
+    guard_set_timeout(o->solving.timeout);
     s->human = o->human || (o->own_line && isatty(fileno(s->out)));
-    const char *error =
-        o->external ? external_start(&s->external, o->external, o->timeout, o->tolerance) : NULL;
+    const char *error = o->solving.external ? external_start(&s->external, o->solving.external,
+                                                             o->solving.timeout, o->tolerance)
+                                            : NULL;
     if (error)
         fprintf(stderr, "fatline solve: %s\n", error);
     return error ? FAILED : OK;
@@ -230,11 +199,10 @@ static int close_all(struct solver *s)
     if (bad)
         fprintf(stderr, "%s: cannot be written\n",
                 s->options->output ? s->options->output : "standard output");
-    if (s->options->external)
+    if (s->options->solving.external)
         external_stop(&s->external);
     guard_end();
-    if (s->n > 0)
-        workspace_clear(&s->workspace);
+    fitted_workspace_clear(&s->memory);
     free(s->crossings);
     return bad ? FAILED : OK;
 }
@@ -249,11 +217,13 @@ int main(int argc, char **argv)
     int result = open_all(&s, &options);
     if (result != OK)
         return result;
-    watch_signals();
+    interrupt_watch(external_interrupt);
     progress_set_quiet(options.quiet || options.own_line || isatty(fileno(s.out)));
     progress_begin("solve", 0);
     result = solve_all(&s);
     progress_end();
+    if (result == OK && !interrupted && !s.taken)
+        result = selection_complain(&options.cases, "fatline solve");
     int closed = close_all(&s);
     solve_options_clear(&options);
     return interrupted ? INTERRUPTED : closed != OK ? closed : result;

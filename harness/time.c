@@ -1,7 +1,6 @@
 /* `fatline time`: how long each algorithm takes on the pairs that all of them get right. */
 #include <argp.h>
 #include <errno.h>
-#include <regex.h>
 #include <sched.h>
 #include <stdlib.h>
 #include <string.h>
@@ -196,6 +195,11 @@ static int run(const struct time_settings *s, const struct case_set *set, const 
     for (int k = 0; s->baseline && k < n; k++)
         if (!strcmp(contender[k].name, s->baseline))
             baseline = k;
+    if (s->baseline && baseline < 0) {
+        fprintf(stderr, "fatline time: --baseline: neither an algorithm nor a program is called %s\n",
+                s->baseline);
+        exit(64);
+    }
     workspace_make(&memory.workspace, s->algorithms.count ? s->algorithms.at : nobody, set->degree_f,
                    set->degree_g, WORKSPACE_ROOM);
     timed = time_families(set, n, contender, s, &memory, baseline, resume);
@@ -208,29 +212,20 @@ static int run(const struct time_settings *s, const struct case_set *set, const 
     return timed > 0 ? 0 : 1;
 }
 
-/* Drops the cases whose id does not match.  False, and a message, if the expression is none. */
-static bool keep_matching(struct case_set *set, const char *expression)
+/* Drops the cases that were not asked for. */
+static void keep_selected(struct case_set *set, const struct selection *cases)
 {
-    regex_t regex;
-    char why[200];
-    int kept = 0, wrong = regcomp(&regex, expression, REG_EXTENDED | REG_NOSUB);
+    int kept = 0;
 
-    if (wrong) {
-        regerror(wrong, &regex, why, sizeof why);
-        fprintf(stderr, "fatline time: --filter: '%s': %s\n", expression, why);
-        return false;
-    }
     for (int i = 0; i < set->count; i++) {
         struct loaded_case drop = set->at[i];
 
-        if (!regexec(&regex, drop.c.id, 0, NULL, 0)) {
+        if (selection_takes(cases, &drop.c)) {
             set->at[i] = set->at[kept];
             set->at[kept++] = drop;
         }
     }
-    regfree(&regex);
     case_set_shorten(set, kept);
-    return true;
 }
 
 /* Of rows as they come: the family. */
@@ -287,17 +282,14 @@ int main(int argc, char **argv)
         fprintf(stderr, "fatline time: --count instructions: %s\n", instructions_missing());
         status = 2;
     }
-    for (int i = 0; i < s.files && status != 2; i++) {
-        int wrong = case_set_read(&set, s.file[i], s.plan.tolerance, s.max_steps);
+    for (int i = 0; i < selection_files(&s.cases) && status != 2; i++) {
+        int wrong = case_set_read(&set, selection_file(&s.cases, i), s.plan.tolerance, s.max_steps);
 
         status = wrong ? wrong : status;
     }
-    if (!status && s.filter && !keep_matching(&set, s.filter))
-        status = 64;
-    if (!status && !set.count) {
-        fprintf(stderr, "fatline time: no cases\n");
-        status = 65;
-    }
+    keep_selected(&set, &s.cases);
+    if (!status && !set.count)
+        status = selection_complain(&s.cases, "fatline time");
     if (!status) {
         relax(&set);
         status = measure(argc, argv, &s, &set);

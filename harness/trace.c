@@ -8,6 +8,8 @@
 #include "cases/number.h"
 #include "convergence/path.h"
 #include "cases/problem.h"
+#include "run/interrupt.h"
+#include "run/options.h"
 #include "run/progress.h"
 #include "run/row.h"
 
@@ -34,7 +36,8 @@ static const char documentation[] =
     "accepted. log2_t, log2_s: of the widths in f's and g's parameter. depth: splits that led here.\n\n"
     "Algorithms that do not work on cells (see core/cells.h) make no steps that could be watched, and no "
     "rows.\n\n"
-    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data, 130 when interrupted.";
+    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data or no case, 130 when "
+    "interrupted.";
 
 /* What led to a waiting cell. */
 struct lineage {
@@ -59,17 +62,14 @@ static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct command *o = (struct command *)state->input;
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->measuring;
-        return 0;
     case BITS:
-        o->bits = measuring_count(state, "bits", text, 1, REAL_BITS);
+        o->bits = option_integer(state, "--bits", text, 1, REAL_BITS);
         return 0;
     case MAX_STEPS:
-        o->max_steps = measuring_count(state, "max-steps", text, 1, 1000000000);
+        o->max_steps = option_integer(state, "--max-steps", text, 1, 1000000000);
         return 0;
     case ROOM:
-        o->room = measuring_count(state, "room", text, 4, 10000000);
+        o->room = option_integer(state, "--room", text, 4, 10000000);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -133,12 +133,9 @@ static bool measure(void *data, struct test_case *c)
 {
     struct command *o = (struct command *)data;
     struct owned_problem owned;
-    const char *why_not = owned_problem_make(c, real_ldexp(1, -o->bits), o->max_steps, &owned);
-    if (why_not) {
-        progress_note("%s:%d: %s", c->file, c->line_number, why_not);
+    if (!measuring_problem(c, real_ldexp(1, -o->bits), o->max_steps, &owned))
         return false;
-    }
-    for (int i = 0; i < o->measuring.algorithms.count && !measuring_is_interrupted(); i++) {
+    for (int i = 0; i < o->measuring.algorithms.count && !interrupted; i++) {
         o->id = c->id;
         o->algorithm = o->measuring.algorithms.at[i];
         o->step = o->call = 0;
@@ -155,14 +152,12 @@ static bool measure(void *data, struct test_case *c)
 
 int main(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&measuring_argp, 0, 0, 0}, {0, 0, 0, 0}};
-    static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
+    static const struct argp own = {options, parse, 0, 0, 0, 0, 0};
     static struct command o;
     o.bits = 40;
     o.max_steps = STEPS_MAX;
     o.room = WORKSPACE_ROOM;
-    if (argp_parse(&argp, argc, argv, 0, NULL, &o))
-        return 64;
+    measuring_read(argc, argv, &own, documentation, &o.measuring);
     workspace_make(&o.workspace, o.measuring.algorithms.at, DEGREE_MAX, DEGREE_MAX, o.room);
     o.crossings = (struct crossings *)malloc(sizeof *o.crossings);
     o.lineage = (struct lineage *)malloc((size_t)o.room * sizeof *o.lineage);

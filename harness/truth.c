@@ -1,9 +1,6 @@
 /* fatline truth: the exact intersections of case lines. */
 #include <argp.h>
 #include <errno.h>
-#include <fnmatch.h>
-#include <math.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -12,6 +9,9 @@
 #include "truth/exact.h"
 #include "truth/exact_poly.h"
 #include "cases/json_text.h"
+#include "cases/selection.h"
+#include "run/options.h"
+#include "run/interrupt.h"
 #include "run/progress.h"
 #include "run/row.h"
 #include "truth/truth_compare.h"
@@ -19,8 +19,8 @@
 const char *argp_program_version = "fatline 0.1";
 
 enum { DIGITS_LEAST = 40, DIGITS_MOST = 1000 };
-enum status { OK = 0, WRONG = 1, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
-enum { COMPARE = 256, DIGITS, SECONDS, TIMING, KEEP_GOING, ID, WITHIN };
+enum status { OK = 0, WRONG = 1, FAILED = 2, BAD_DATA = 65 };
+enum { COMPARE = 256, DIGITS, SECONDS, TIMING, KEEP_GOING, WITHIN };
 
 /* Seconds of the cases of one pair of degrees. */
 struct group {
@@ -30,28 +30,19 @@ struct group {
 };
 
 struct arguments {
-    char **files;
-    int file_count;
+    struct selection cases;
     struct exact_limits limits;
     bool compare, timing, keep_going, quiet;
-    const char *id;
-    double within;
+    double within; /* 0: not given */
 };
 
 struct run {
     const struct arguments *a;
     struct group *groups;
     int group_count;
+    long taken; /* cases that were asked for */
     enum status worst;
 };
-
-static volatile sig_atomic_t interrupted;
-
-static void on_interrupt(int signal)
-{
-    (void)signal;
-    interrupted = 1;
-}
 
 static const struct argp_option options[] = {
     {"compare", COMPARE, 0, 0,
@@ -60,7 +51,6 @@ static const struct argp_option options[] = {
     {"digits", DIGITS, "N", 0, "significant digits of irrational parameters, 40 to 1000 (40)", 0},
     {"seconds", SECONDS, "S", 0, "give a case up after S seconds of processor time (never)", 0},
     {"timing", TIMING, 0, 0, "instead of lines, rows of seconds by pair of degrees", 0},
-    {"id", ID, "GLOB", 0, "only the cases whose id matches", 0},
     {"keep-going", KEEP_GOING, 0, 0, "pass over bad lines; the exit status is still 65", 0},
     {"quiet", 'q', 0, 0, "no progress", 0},
     {0}};
@@ -74,40 +64,36 @@ static const char documentation[] =
     "digits; `params` are the nearest doubles.\n\n"
     "Exit status: 0, 1 if a comparison found a difference, 2 if a case has no answer (with its reason on "
     "standard "
-    "error) or a file cannot be read, 64 on wrong usage, 65 on bad data, 130 when interrupted.";
+    "error) or a file cannot be read, 64 on wrong usage, 65 on bad data or no case, 130 when interrupted.";
 
-static double positive(struct argp_state *state, const char *name, const char *text)
+static void finish(struct arguments *a, struct argp_state *state)
 {
-    char *end;
-    double a = strtod(text, &end);
-    if (end == text || *end || !(a > 0) || isinf(a))
-        argp_error(state, "--%s: '%s', expected a number > 0", name, text);
-    return a;
+    option_needs(state, a->within > 0, "--within", a->compare, "--compare");
+    option_excludes(state, a->compare, "--compare", a->timing, "--timing");
+    a->within = a->within > 0 ? a->within : 1e-15;
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state)
 {
     struct arguments *a = state->input;
     switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &a->cases;
+        return 0;
     case COMPARE:
         a->compare = true;
         return 0;
     case WITHIN:
-        a->within = positive(state, "within", argument);
+        a->within = option_positive(state, "--within", argument);
         return 0;
     case DIGITS:
-        a->limits.digits = (int)positive(state, "digits", argument);
-        if (a->limits.digits < DIGITS_LEAST || a->limits.digits > DIGITS_MOST)
-            argp_error(state, "--digits: '%s', expected %d to %d", argument, DIGITS_LEAST, DIGITS_MOST);
+        a->limits.digits = option_integer(state, "--digits", argument, DIGITS_LEAST, DIGITS_MOST);
         return 0;
     case SECONDS:
-        a->limits.seconds = positive(state, "seconds", argument);
+        a->limits.seconds = option_positive(state, "--seconds", argument);
         return 0;
     case TIMING:
         a->timing = true;
-        return 0;
-    case ID:
-        a->id = argument;
         return 0;
     case KEEP_GOING:
         a->keep_going = true;
@@ -115,9 +101,8 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case 'q':
         a->quiet = true;
         return 0;
-    case ARGP_KEY_ARGS:
-        a->files = state->argv + state->next;
-        a->file_count = state->argc - state->next;
+    case ARGP_KEY_END:
+        finish(a, state);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -195,8 +180,10 @@ static void solve_stream(struct run *r, FILE *stream, const char *name)
             spoil(r, BAD_DATA);
             more = r->a->keep_going;
         } else if (status == CASE_READ) {
-            if (!r->a->id || !fnmatch(r->a->id, c.id, 0))
+            if (selection_takes(&r->a->cases, &c)) {
+                r->taken++;
                 solve_case(r, &c);
+            }
             progress_step();
             case_clear(&c);
         }
@@ -243,25 +230,24 @@ static void write_timing(struct run *r, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    static char standard_input[] = "-";
-    static const struct argp argp = {options, parse, "[FILE...]", documentation, 0, 0, 0};
-    struct arguments a = {.limits = {.digits = DIGITS_LEAST}, .within = 1e-15};
+    static const struct argp_child children[] = {{&selection_argp, 0, 0, 0}, {0}};
+    static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
+    struct arguments a = {.limits = {.digits = DIGITS_LEAST}};
     struct run r = {.a = &a};
-    struct sigaction action = {.sa_handler = on_interrupt};
     argp_parse(&argp, argc, argv, 0, 0, &a);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    interrupt_watch(NULL);
     const bool shows_lines = !a.compare && !a.timing && isatty(STDOUT_FILENO);
     progress_set_quiet(a.quiet || shows_lines);
     progress_begin("truth", 0);
-    for (int i = 0; i < a.file_count && !interrupted; i++)
+    for (int i = 0; i < selection_files(&a.cases) && !interrupted; i++)
         if (r.worst < BAD_DATA || a.keep_going)
-            solve_file(&r, a.files[i]);
-    if (a.file_count == 0)
-        solve_file(&r, standard_input);
+            solve_file(&r, selection_file(&a.cases, i));
     progress_end();
+    if (r.worst == OK && !interrupted && !r.taken)
+        spoil(&r, selection_complain(&a.cases, "fatline truth"));
     if (a.timing)
         write_timing(&r, argc, argv);
+    selection_clear(&a.cases);
     flint_cleanup();
     if (fflush(stdout) || ferror(stdout)) {
         fprintf(stderr, "fatline truth: standard output cannot be written\n");

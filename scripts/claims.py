@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Measures the claims of scripts/claims.toml, writes results/claims.md and compares the verdicts with the committed ones.
 
-    scripts/claims.py [ID ...] [--list]
+    scripts/claims.py [ID ...] [--short] [--list]
 
-Without ids all claims are measured and results/claims.md is written; with ids (globs) those only, and they are printed.
-Rows as measured are kept in results/raw/claims/.  Exit status: 0, 1 if a verdict differs from the committed one, 2 if a
+Without ids all claims are measured and results/claims.md is written; with ids (globs) those only, and they are printed;
+with --short those that the file names for it, as a table.  Rows as measured are kept in results/raw/claims/, those of
+--short in build/claims/.  Exit status: 0, 1 if a verdict differs from the committed one, 2 if a
 command failed.
 """
 
@@ -25,6 +26,7 @@ from workers import algorithms, run, run_all
 ROOT = Path(__file__).resolve().parent.parent
 TABLE = Path("results/claims.md")
 RAW = Path("results/raw/claims")
+SHORT = Path("build/claims")
 WORKERS = 2
 MOST_PART = 0.9   # of the values must be as claimed
 LEAST_PART = 0.75  # of the rows must have a value
@@ -41,6 +43,7 @@ class Claim:
     value: float
     verdict: str
     rules: dict
+    short: bool = False
     rows: list = field(default_factory=list)
     seconds: float = 0.0
 
@@ -74,7 +77,8 @@ def read_claims(names):
             def fill(text):
                 return text.replace("{a}", name).replace("{e}", number_text(value))
             claim = Claim(fill(entry["id"]), fill(entry["statement"]), entry["source"], fill(entry["command"]),
-                          entry["kind"], value, entry.get("verdicts", {}).get(name, entry["verdict"]), entry)
+                          entry["kind"], value, entry.get("verdicts", {}).get(name, entry["verdict"]), entry,
+                          name in entry.get("short", []) if name else entry.get("short", False))
             known = not name or name in names or "needs_command" in entry
             (claims if known else left_out).append(claim)
     seen = set()
@@ -268,7 +272,7 @@ def check_rows(text):
     return rows
 
 
-def measure(job):
+def measure(job, folder):
     """None, or why the command failed.  `fatline check` ends with 1 if an answer is wrong in any way."""
     begun = time.monotonic()
     ended = run(["/bin/sh", "-c", job.command], env={"PATH": f"{ROOT / 'build'}:{os.environ['PATH']}"})
@@ -277,8 +281,8 @@ def measure(job):
     if ended.returncode not in ((0, 1) if lost else (0,)):
         return f"status {ended.returncode}: {ended.stderr.strip()[-500:]}"
     rows = check_rows(ended.stdout) if lost else [json.loads(line) for line in ended.stdout.splitlines()]
-    RAW.mkdir(parents=True, exist_ok=True)
-    (RAW / f"{job.name}.jsonl").write_text("".join(json.dumps(r) + "\n" for r in rows) if lost else ended.stdout)
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / f"{job.name}.jsonl").write_text("".join(json.dumps(r) + "\n" for r in rows) if lost else ended.stdout)
     for claim in job.claims:
         claim.rows, claim.seconds = rows, seconds
     return None
@@ -327,14 +331,25 @@ def table(claims, left_out):
     return "\n".join(lines) + "\n"
 
 
+def short_table(claims):
+    """For a terminal."""
+    rows = [("claim", "expected", "measured", "n", "verdict")]
+    rows += [(c.id, expected(c), c.measured.text, f"{c.measured.n} of {c.measured.of}", c.measured.verdict) for c in claims]
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("ids", nargs="*", metavar="ID", help="claims to be measured, or globs (all)")
+    parser.add_argument("--short", action="store_true", help="those of the main job, as a table; results/ stays as it is")
     parser.add_argument("--list", action="store_true", help="name the claims")
     arguments = parser.parse_args()
     os.chdir(ROOT)
     claims, left_out, rows = read_claims(algorithms("multi"))
-    chosen = [c for c in claims if not arguments.ids or any(fnmatch.fnmatch(c.id, i) for i in arguments.ids)]
+    chosen = [c for c in claims if (c.short if arguments.short else not arguments.ids)
+              or any(fnmatch.fnmatch(c.id, i) for i in arguments.ids)]
+    whole = not arguments.ids and not arguments.short
     if arguments.list:
         print("\n".join(c.id for c in chosen))
         return 0
@@ -343,21 +358,24 @@ def main():
         return 64
     broken = 0
     everything = claims + rows
-    jobs = jobs_of(chosen if arguments.ids else everything, everything)
-    for job, problem in run_all(jobs, lambda j: 1, "claims", WORKERS, measure):
+    jobs = jobs_of(everything if whole else chosen, everything)
+    folder = SHORT if arguments.short else RAW
+    for job, problem in run_all(jobs, lambda j: 1, "claims", WORKERS, lambda j: measure(j, folder)):
         if problem:
             broken += 1
             print(f"{job.name}: {problem}", file=sys.stderr)
     for claim in chosen:
         claim.measured = JUDGES[claim.kind](claim)
-    if not arguments.ids:
+    if whole:
         for path in RAW.glob("*.jsonl"):
             if path.stem not in [j.name for j in jobs]:
                 path.unlink()
     different = [c for c in chosen if c.measured.verdict != c.verdict]
-    if not arguments.ids:
+    if whole:
         TABLE.write_text(table(chosen, left_out))
         print(f"{TABLE}: {len(chosen)} claims")
+    elif arguments.short:
+        print(short_table(chosen))
     else:
         for c in chosen:
             print(f"{c.id}: {c.statement}\n    {c.command}\n    expected {expected(c)}, measured {c.measured.text}, "

@@ -29,6 +29,7 @@ static struct crossings crossings;
 
 struct count {
     int cases, solved, solutions, unique, end, cluster, candidate, overlaps, steps, most_steps;
+    real widest; /* of the clusters */
 };
 
 static void fail_case(const struct test_case *c, const char *why, int i)
@@ -98,6 +99,8 @@ static void judge_records(const struct test_case *c, const int held[], const int
         n->unique += r->standing == UNIQUE;
         n->end += r->standing == END;
         n->cluster += r->standing == CLUSTER;
+        if (r->standing == CLUSTER)
+            n->widest = real_max(n->widest, real_max(r->t.hi - r->t.lo, r->s.hi - r->s.lo));
         n->candidate += r->standing == CANDIDATE;
     }
 }
@@ -158,16 +161,16 @@ static void solve_case(struct test_case *c, real tolerance, struct count *n)
 
 /* ---- a family ---- */
 
-static struct count solve_family(const char *family, const char *degrees, int cases, real tolerance)
+static struct count solve_cases(const char *family, const char *degrees, int first, int count, int seed,
+                                real tolerance)
 {
     struct count n;
     struct case_reader reader;
     struct test_case c;
     char command[sizeof generator + 256];
     memset(&n, 0, sizeof n);
-    int count = cases / SHARE ? cases / SHARE : 1;
-    snprintf(command, sizeof command, "'%s' %s --degree %s --count %d --seed 11", generator, family, degrees,
-             count);
+    snprintf(command, sizeof command, "'%s' %s --degree %s --first %d --count %d --seed %d", generator,
+             family, degrees, first, count, seed);
     FILE *stream = popen(command, "r");
     assert_non_null(stream);
     case_reader_init(&reader, stream, family);
@@ -184,6 +187,11 @@ static struct count solve_family(const char *family, const char *degrees, int ca
         n.steps, n.most_steps);
     assert_true(n.cases > 0);
     return n;
+}
+
+static struct count solve_family(const char *family, const char *degrees, int cases, real tolerance)
+{
+    return solve_cases(family, degrees, 0, cases / SHARE ? cases / SHARE : 1, 11, tolerance);
 }
 
 static real loose(void)
@@ -236,15 +244,44 @@ static void test_near_tangent(void **state)
     }
 }
 
-/* One CLUSTER each; where rounding hides a contact of four, now and then a candidate beside it. */
+/* One CLUSTER each, whatever the tolerance, as narrow as twice the digits leave a contact of that order. */
 static void test_contacts(void **state)
 {
     (void)state;
-    static const char *const family[] = {"contact_3", "contact_4", "cusp_crossed", "cusp_along"};
-    for (int i = 0; i < 4; i++) {
-        struct count n = solve_family(family[i], "3,4", 18, (real)1 / 1000);
-        assert_true(n.cluster == n.cases && 10 * n.candidate <= n.cases && n.solved == n.cases);
-        assert_true(n.most_steps <= 400);
+    static const struct {
+        const char *family, *degrees;
+        int order, cases;
+    } of[] = {{"contact_3", "2,3,5", 3, 30},
+              {"contact_4", "3,4,5", 4, 120},
+              {"cusp_crossed", "3,4,5", 2, 60},
+              {"cusp_along", "3,4,5", 3, 60}};
+    const real tolerances[] = {(real)1 / 1000, 16 * REAL_EPSILON};
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 2; k++) {
+            struct count n = solve_family(of[i].family, of[i].degrees, of[i].cases, tolerances[k]);
+            assert_true(n.cluster == n.cases && !n.candidate && n.solved == n.cases);
+            assert_true(n.most_steps <= 400);
+            assert_true(k == 0 || n.widest <= real_ldexp(1, 10 - 2 * REAL_BITS / of[i].order));
+        }
+}
+
+/* Of contacts with another solution nearby, of those at a cut and of those that are very flat, a few each of
+ * thousands: the same. */
+static void test_hard_contacts(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *family, *degrees;
+        int first, seed;
+    } of[] = {{"contact_4", "5", 112, 1}, {"contact_4", "5", 211, 1},    {"contact_4", "5", 576, 1},
+              {"contact_4", "5", 596, 1}, {"contact_4", "5", 339, 1},    {"contact_4", "4", 623, 2},
+              {"contact_4", "5", 220, 2}, {"contact_4", "3", 100, 1},    {"contact_4", "4", 26, 1},
+              {"contact_4", "4", 255, 2}, {"cusp_crossed", "5", 252, 1}, {"cusp_along", "5", 290, 1}};
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i += SHARE / 6 + 1) {
+        struct count n = solve_cases(of[i].family, of[i].degrees, of[i].first, 1, of[i].seed,
+                                     i % 2 ? loose() : 16 * REAL_EPSILON);
+        assert_true(n.cluster == 1 && !n.candidate && n.solved == 1 && n.most_steps <= 400);
+        assert_true(n.widest <= real_ldexp(1, 10 - REAL_BITS / 2));
     }
 }
 
@@ -271,8 +308,10 @@ static void test_overlaps(void **state)
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_simple),   cmocka_unit_test(test_narrow), cmocka_unit_test(test_near_tangent),
-        cmocka_unit_test(test_contacts), cmocka_unit_test(test_cusps),  cmocka_unit_test(test_overlaps),
+        cmocka_unit_test(test_simple),        cmocka_unit_test(test_narrow),
+        cmocka_unit_test(test_near_tangent),  cmocka_unit_test(test_contacts),
+        cmocka_unit_test(test_hard_contacts), cmocka_unit_test(test_cusps),
+        cmocka_unit_test(test_overlaps),
     };
     const char *slash = strrchr(argv[0], '/');
     (void)argc;

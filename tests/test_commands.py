@@ -1,37 +1,14 @@
 #!/usr/bin/python3
 """The command `fatline`, its `list` and `solve`: what they print, where they complain, how they end.  Prints TAP."""
 
-import json
-import os
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-FATLINE = os.environ.get("FATLINE", str(ROOT / "build/fatline"))
-PRECISIONS = ["double", "quad", "multi"]
+from runner import FATLINE, PRECISIONS, expect, fatline, number, rows, run_tests
+
 LINE = ["-f", "0,0 1,1", "-g", "0,1 1,0"]
 CASE = '{"id":"%s","f":{"points":[[0,0],[1,1]]},"g":{"points":[[0,1],[1,0]]}}'
-
-
-def fatline(*arguments, text=None, precision=None):
-    chosen = ["--precision", precision] if precision else []
-    return subprocess.run([FATLINE, *chosen, *arguments], input=text, capture_output=True, text=True, timeout=60)
-
-
-def expect(ended, status, told=""):
-    assert ended.returncode == status, f"{ended.args[1:]}: status {ended.returncode}, expected {status}: {ended.stderr}"
-    assert told in ended.stderr, f"{ended.args[1:]} says {ended.stderr!r}, expected {told!r}"
-    return ended.stdout
-
-
-def rows(text):
-    return [json.loads(line) for line in text.splitlines()]
-
-
-def number(a):
-    return float.fromhex(a) if isinstance(a, str) else a
 
 
 def test_help_and_version():
@@ -97,7 +74,6 @@ def test_two_curves_in_one_line():
 
 def test_roots():
     measured = rows(expect(fatline("roots", "--rows", "--degree", "4,8", "--accuracy", "7,14,20"), 0))
-    assert "environment" in measured.pop(0)
     assert len(measured) == 4 * 2 * 3 * (1 + 3)  # kinds, degrees, finders; an order and three accuracies
     for finder in ("hull", "quadratic", "cubic"):
         clips = [row["clips"] for row in measured if row["finder"] == finder and row["row"] == "cost"
@@ -177,19 +153,5 @@ def test_external_programs_are_judged():
         assert [row["verdict"] for row in judged if "verdict" in row] == [verdict, verdict], judged
 
 
-def main():
-    tests = [(name, test) for name, test in globals().items() if name.startswith("test_")]
-    failed = 0
-    for number_, (name, test) in enumerate(tests, 1):
-        try:
-            test()
-            print(f"ok {number_} - {name}", flush=True)
-        except AssertionError as wrong:
-            failed += 1
-            print(f"not ok {number_} - {name}\n# {wrong}", flush=True)
-    print(f"1..{len(tests)}")
-    return 1 if failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    run_tests(globals())

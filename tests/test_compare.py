@@ -3,31 +3,15 @@
 and what the scripts compute is right on numbers that are known.  Prints TAP."""
 
 import json
-import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-FATLINE = str(ROOT / "build/fatline")
+from runner import ROOT, expect, fatline, rows, run_tests
+
 REGRESSION = 3
 ENVIRONMENT = {"environment": {"noise_floor": 0.01}}
 sys.path.insert(0, str(ROOT / "scripts"))
-
-
-def fatline(*arguments, text=None):
-    return subprocess.run([FATLINE, *map(str, arguments)], input=text, capture_output=True, text=True, timeout=300)
-
-
-def expect(ended, status, told=""):
-    assert ended.returncode == status, f"status {ended.returncode}, expected {status}: {ended.stdout}{ended.stderr}"
-    assert told in ended.stdout + ended.stderr, f"{ended.stdout}{ended.stderr}, expected {told!r}"
-    return ended
-
-
-def rows(ended):
-    return [row for row in map(json.loads, ended.stdout.splitlines()) if "environment" not in row]
 
 
 def cases(folder):
@@ -55,9 +39,9 @@ def test_builds():
     with tempfile.TemporaryDirectory() as folder:
         path = cases(folder)
         for second, status, change in (("slower", REGRESSION, "SLOWER"), ("", 0, "same")):
-            ended = expect(fatline("compare", "--rows", "--noise-floor", 0.01, "--builds", ROOT / "build",
+            said = expect(fatline("compare", "--rows", "--noise-floor", 0.01, "--builds", ROOT / "build",
                                    ROOT / "build" / second, "-a", "bezier_clipping", path), status)
-            assert [row["change"] for row in rows(ended)] == [change], ended.stdout
+            assert [row["change"] for row in rows(said)] == [change], said
     return None
 
 
@@ -101,14 +85,14 @@ def test_instructions_decide():
     with tempfile.TemporaryDirectory() as folder:
         first, second = timed(folder, "a.jsonl", {"one": 2.0}), timed(folder, "b.jsonl", {"one": 2.01})
         expect(fatline("compare", first, second), 0)
-        ended = expect(fatline("compare", "--rows", "--instructions", first, second), REGRESSION)
-        assert {row["algorithm"]: row["change"] for row in rows(ended)} == {"one": "SLOWER", "certified": "same"}
+        said = expect(fatline("compare", "--rows", "--instructions", first, second), REGRESSION)
+        assert {row["algorithm"]: row["change"] for row in rows(said)} == {"one": "SLOWER", "certified": "same"}
 
 
 def test_doctor():
     ended = fatline("doctor", "--rows", "--forget", "--trials", 5, "--rounds", 11)
     assert ended.returncode in (0, 1), ended.stderr
-    row = rows(ended)[0]
+    row = rows(ended.stdout)[0]
     assert row["trials"] == 5 and 0 <= row["held"] <= 5 and 0 < row["noise_floor"] < 0.5, row
     assert (ended.returncode == 0) == (row["held"] == 5)
     expect(fatline("doctor", "--trials", "none"), 64)
@@ -171,20 +155,5 @@ def test_pairwise():
     return None
 
 
-def main():
-    tests = [(name, test) for name, test in globals().items() if name.startswith("test_")]
-    failed = 0
-    os.chdir(ROOT)
-    print(f"1..{len(tests)}")
-    for number, (name, test) in enumerate(tests, 1):
-        try:
-            skipped = test()
-            print(f"ok {number} - {name}" + (f" # SKIP {skipped}" if skipped else ""), flush=True)
-        except Exception as reason:  # noqa: BLE001: a test that ends in any other way has failed
-            failed += 1
-            print(f"not ok {number} - {name}\n# {type(reason).__name__}: {str(reason)[:1500]}", flush=True)
-    return 1 if failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    run_tests(globals())

@@ -2,6 +2,8 @@
 #include "nasty.h"
 #include "solving.h"
 
+#include <math.h>
+
 #include "../algorithms/core/bernstein.h"
 
 enum {
@@ -127,11 +129,80 @@ static void make_points(struct shared *p, struct random_state *r, int i)
     p->b = i % 2;
 }
 
+/* The Bernstein coefficients of the sum over j of c[j] (m t + k)^j, c[0] = c[1] = 0; exact where the powers'
+ * coefficients are multiples of the binomials. */
+static void put_powers(int n, const int64_t *c, int m, int k, real *out)
+{
+    for (int i = 0; i <= n; i++) {
+        double sum = 0;
+        for (int j = 2; j <= n; j++) { /* the blossom: i arguments m + k, n - i arguments k */
+            double term = 0;
+            for (int l = 0; l <= j && l <= i; l++)
+                if (j - l <= n - i)
+                    term += (double)binomial(i, l) * (double)binomial(n - i, j - l) * pow(m + k, l) *
+                            pow(k, j - l);
+            sum += (double)c[j] / (double)binomial(n, j) * term;
+        }
+        out[i] = real_ldexp((real)sum, -16);
+    }
+}
+
+/* f has a cusp inside, at t = 1/4, where g begins or, i odd, ends; every other two g has it in the middle. */
+static void make_from_cusp(struct shared *p, struct random_state *r, int i)
+{
+    const int n = 3 + i % 3, common = n == 3 ? 3 : n == 4 ? 12 : 10;
+    int64_t x[6], y[6];
+    for (int j = 0; j <= n; j++) {
+        x[j] = j < 2 ? 0 : common * (int64_t)random_between(r, -9, 9);
+        y[j] = j < 2 ? 0 : common * (int64_t)random_between(r, -9, 9);
+    }
+    if (x[2] * y[3] == x[3] * y[2]) { /* an ordinary cusp */
+        x[2] = y[3] = common;
+        x[3] = y[2] = 0;
+    }
+    prop_curve_make(&p->f, r, n, 12, false);
+    prop_curve_make(&p->g, r, n, 12, false);
+    put_powers(n, x, 4, -1, p->f.x);
+    put_powers(n, y, 4, -1, p->f.y);
+    int inside = i / 2 % 2, m = inside ? 4 : 2, back = i % 2;
+    put_powers(n, x, back ? -m : m, inside ? (back ? 2 : -2) : back ? 2 : 0, p->g.x);
+    put_powers(n, y, back ? -m : m, inside ? (back ? 2 : -2) : back ? 2 : 0, p->g.y);
+    p->a = back ? -4 / m : 4 / m; /* 4 t - 1 = 2 s, 2 - 2 s, 4 s - 2 or 2 - 4 s */
+    p->b = inside ? (back ? (real)3 / 4 : (real)1 / 4) : back ? (real)3 / 2 : (real)-1 / 2;
+}
+
+/* Beside the arc there is nothing at the cusp, and it takes no thousands of steps to say so. */
+static void test_overlap_from_cusp(void **state)
+{
+    (void)state;
+    int most = 0, candidates = 0;
+    for (int i = 0; i < 5 * PAIRS; i++) {
+        struct random_state r = random_for(1, "overlap from a cusp", (uint64_t)i);
+        struct shared p;
+        make_from_cusp(&p, &r, i);
+        solver_init(&solver, intersector_find("certified"), p.f.curve.degree, p.g.curve.degree,
+                    WORKSPACE_ROOM);
+        struct problem problem = problem_of(&p.f.curve, &p.g.curve, (real)1 / 1000000000, 100000);
+        enum outcome o = solver_run(&solver, &problem);
+        const struct crossings *out = &solver.answer.crossings;
+        for (int k = 0; k < out->count; k++)
+            candidates += out->at[k].standing == CANDIDATE;
+        most = solver.workspace.steps > most ? solver.workspace.steps : most;
+        if (o != SOLVED || out->overlaps != 1 || !is_line_covered(&problem, p.a, p.b))
+            fail_msg("pair %d: %s after %d steps, %d overlaps, %d records", i, outcome_name(o),
+                     solver.workspace.steps, out->overlaps, out->count);
+        solver_clear(&solver);
+    }
+    print_message("at most %d steps, %d candidates\n", most, candidates);
+    assert_true(candidates == 0 && most <= 4000);
+}
+
 static void test_overlaps(void **state)
 {
     (void)state;
     check_shared("curve twice", make_twice);
     check_shared("part of a curve", make_part);
+    check_shared("part of a curve from a cusp", make_from_cusp);
 }
 
 static void test_points(void **state)
@@ -285,9 +356,10 @@ static void test_repeated(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_overlaps), cmocka_unit_test(test_points),    cmocka_unit_test(test_far_point),
-        cmocka_unit_test(test_closed),   cmocka_unit_test(test_collinear), cmocka_unit_test(test_elevated),
-        cmocka_unit_test(test_repeated),
+        cmocka_unit_test(test_overlaps), cmocka_unit_test(test_overlap_from_cusp),
+        cmocka_unit_test(test_points),   cmocka_unit_test(test_far_point),
+        cmocka_unit_test(test_closed),   cmocka_unit_test(test_collinear),
+        cmocka_unit_test(test_elevated), cmocka_unit_test(test_repeated),
     };
     return cmocka_run_group_tests_name("degenerate", tests, NULL, NULL);
 }

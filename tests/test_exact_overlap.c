@@ -1,4 +1,6 @@
 /* Shared arcs, folded lines and curves that are points, planted. */
+#include <math.h>
+
 #include "prop.h"
 
 #include "../harness/truth/exact_roots.h"
@@ -163,6 +165,84 @@ static void test_arcs_through_samples(void **state)
     assert_true(several > 100);
 }
 
+/* Random coefficients of 50 bits, from 1 down to 2^-800. */
+static void random_line(struct random_state *r, struct plane_curve *f, int degree)
+{
+    fmpq_t c;
+    fmpq_init(c);
+    plane_curve_init(f);
+    for (int k = 0; k <= degree; k++) {
+        fmpq_set_si(c, (slong)random_between(r, 1, 1L << 50) * (random_between(r, 0, 1) ? 1 : -1), 1);
+        fmpq_div_2exp(c, c, 50 + (random_between(r, 0, 3) ? 0 : (ulong)random_between(r, 0, 800)));
+        fmpq_poly_set_coeff_fmpq(f->x, k, c);
+    }
+    fmpq_poly_scalar_mul_si(f->y, f->x, -2);
+    fmpq_clear(c);
+}
+
+/* |f(t) - g(s)|, and whether f or g turns there. */
+static void distance(const struct plane_curve *f, const struct plane_curve *g, mpq_srcptr at, mpq_srcptr as,
+                     double *error, bool *turns)
+{
+    fmpq_poly_t slope;
+    fmpq_t t, s, x, y;
+    fmpq_poly_init(slope);
+    fmpq_init(t), fmpq_init(s), fmpq_init(x), fmpq_init(y);
+    fmpq_set_mpq(t, at);
+    fmpq_set_mpq(s, as);
+    fmpq_poly_evaluate_fmpq(x, f->x, t);
+    fmpq_poly_evaluate_fmpq(y, g->x, s);
+    fmpq_sub(x, x, y);
+    *error = fabs(fmpq_get_d(x));
+    *turns = false;
+    for (int side = 0; side < 2; side++) {
+        fmpq_poly_derivative(slope, side ? g->x : f->x);
+        fmpq_poly_evaluate_fmpq(y, slope, side ? s : t);
+        *turns = *turns || fabs(fmpq_get_d(y)) < 1e-70;
+    }
+    fmpq_poly_clear(slope);
+    fmpq_clear(t), fmpq_clear(s), fmpq_clear(x), fmpq_clear(y);
+}
+
+static bool is_a_domain_end(mpq_srcptr t)
+{
+    return mpq_sgn(t) == 0 || mpq_cmp_ui(t, 1, 1) == 0;
+}
+
+/* The ends of arcs on one line have as many digits as are asked for, however small they are: there both
+ * curves are at one place, and one of them ends or turns. */
+static void test_ends_to_many_digits(void **state)
+{
+    (void)state;
+    int ends = 0, turning = 0;
+    for (int i = 0; i < 60; i++) {
+        struct random_state r = random_for(6, "ends", (uint64_t)i);
+        const struct exact_limits limits = {i % 3 ? 80 : 300, 60};
+        struct plane_curve f, g;
+        struct test_case c;
+        random_line(&r, &f, (int)random_between(&r, 1, 4));
+        random_line(&r, &g, (int)random_between(&r, 1, 4));
+        assert_true(make_case(&c, &f, 0, &g, 0, ""));
+        const char *trouble = exact_solve(&c, &limits);
+        if (trouble)
+            fail_msg("line %d: %s", i, trouble);
+        for (int j = 0; j < 2 * c.expected.overlaps; j++, ends++) {
+            const struct case_overlap *o = &c.expected.overlap[j / 2];
+            mpq_srcptr t = j % 2 ? o->t1 : o->t0, s = j % 2 ? o->s1 : o->s0;
+            double error;
+            bool turns;
+            distance(&f, &g, t, s, &error, &turns);
+            assert_true(error < pow(10, 3 - limits.digits)); /* slopes are below 16 */
+            assert_true(is_a_domain_end(t) || is_a_domain_end(s) || turns);
+            turning += !is_a_domain_end(t) && !is_a_domain_end(s);
+        }
+        case_clear(&c);
+        plane_curve_clear(&f);
+        plane_curve_clear(&g);
+    }
+    assert_true(ends > 50 && turning > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -171,6 +251,7 @@ int main(void)
         cmocka_unit_test(test_node_beside_overlap),
         cmocka_unit_test(test_points),
         cmocka_unit_test(test_arcs_through_samples),
+        cmocka_unit_test(test_ends_to_many_digits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

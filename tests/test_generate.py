@@ -11,9 +11,9 @@ import subprocess
 import sys
 from fractions import Fraction
 from math import comb, lcm
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from runner import ROOT, run_tests
+
 GENERATE = os.environ.get("FATLINE_GENERATE", str(ROOT / "build/double/fatline-generate"))
 TRUTH = os.environ.get("FATLINE_TRUTH", str(ROOT / "build/double/fatline-truth"))
 DEGREES = ["1", "2", "3", "4", "5", "8", "2x1", "1x3", "3x5", "8x2", "2x8", "12", "32", "32x31"]
@@ -343,26 +343,13 @@ def published_is_true():
     assert answer.returncode == 0, answer.stdout + answer.stderr
 
 
-def main():
-    tests = [(f"family {name}", lambda name=name: family_holds(name)) for name in families()]
-    tests += [(test.__name__, test) for test in (seeds_differ, bytes_are_these, sweep_keeps_parameters,
-                                                 gaps_of_both_signs, gaps_beyond_doubles, glyphs_are_integers,
-                                                 mistakes_are_told, quick_list_agrees_with_truth, published_is_true)]
-    only, failed = sys.argv[1:], 0
-    tests = [one for one in tests if not only or any(word in one[0] for word in only)]
-    for number, (name, test) in enumerate(tests, 1):
-        try:
-            skipped = test()
-            print(f"ok {number} - {name}" + (f" # SKIP {skipped}" if skipped else ""), flush=True)
-        except AssertionError as wrong:
-            failed += 1
-            print(f"not ok {number} - {name}\n# {wrong}", flush=True)
-    print(f"1..{len(tests)}")
-    return 1 if failed else 0
-
-
 NICE_F = [["1/16", "1/2"], ["11/128", "175/256"], ["15/256", "191/256"], ["-59/512", "449/512"]]
 NICE_PLANTED = [{"t": "3/4", "s": "13/32", "mult": 1}]
 
 if __name__ == "__main__":
-    sys.exit(main())
+    tests = [(f"family {name}", lambda name=name: family_holds(name)) for name in families()]
+    tests += [(test.__name__, test) for test in (seeds_differ, bytes_are_these, sweep_keeps_parameters,
+                                                 gaps_of_both_signs, gaps_beyond_doubles, glyphs_are_integers,
+                                                 mistakes_are_told, quick_list_agrees_with_truth, published_is_true)]
+    only = sys.argv[1:]
+    run_tests([one for one in tests if not only or any(word in one[0] for word in only)])

@@ -9,13 +9,15 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import textwrap
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from runner import ROOT, run_tests
+
 HEADER = ROOT / "algorithms/fatline.h"
-# All that the library may ask of others: these functions of libc and libm, and what libgcc knows of the processor.  None
-# allocates, prints or keeps a state.
-MAY_CALL = {"_GLOBAL_OFFSET_TABLE_", "__cpu_model", "memcpy", "memmove", "memset", "memcmp", "strcmp", "frexp", "ldexp", "sqrt", "atan2",
+# All that the library may ask of others: these functions of libc and libm, and of libgcc what it knows of the processor, and
+# how it counts bits.  None allocates, prints or keeps a state.
+MAY_CALL = {"_GLOBAL_OFFSET_TABLE_", "__cpu_model", "__popcountdi2", "memcpy", "memmove", "memset", "memcmp", "strcmp", "frexp", "ldexp", "sqrt", "atan2",
             "tan", "sin", "cos", "fabs", "fma", "fmax", "fmin", "cbrt", "acos", "exp2", "log2", "pow", "floor", "ceil"}
 COMPILERS = {"gcc": ["gcc"], "clang": ["clang"], "g++": ["g++", "-x", "c++"], "clang++": ["clang++", "-x", "c++"]}
 STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
@@ -29,13 +31,13 @@ def run(*command, cwd=ROOT, env=None, status=0):
     return ended.stdout
 
 
-def section():
+def section(title="The library"):
     text = (ROOT / "README.md").read_text()
-    return re.search(r"^## The library$(.*?)^## ", text, flags=re.M | re.S).group(1)
+    return re.search(rf"^## {title}$(.*?)^## ", text, flags=re.M | re.S).group(1)
 
 
-def example():
-    return re.search(r"^```c\n(.*?)^```$", section(), flags=re.M | re.S).group(1)
+def example(title="The library"):
+    return re.search(r"^```c\n(.*?)^```$", section(title), flags=re.M | re.S).group(1)
 
 
 def indented():
@@ -61,6 +63,36 @@ def what_readme_says(home):
     run("sh", "-ec", install, env={"HOME": home, "DESTDIR": ""})
     shown = run("sh", "-ec", compile_and_run, cwd=home, env={"HOME": home})
     assert shown == printed, shown
+
+
+# A star of five straight cubics crosses itself in five points.
+STAR = """#include <fatline.h>
+#include <stdio.h>
+#include <stdlib.h>
+int main(void)
+{
+    static const double x[] = {0, 12, -19, 19, -12, 0}, y[] = {20, -16, 6, 6, -16, 20};
+    static double points[8 * 5];
+    int count = 5;
+    for (int i = 0; i < 8 * 5; i++) {
+        const double *c = i % 2 ? y : x;
+        points[i] = c[i / 8] + (c[i / 8 + 1] - c[i / 8]) * (i % 8 / 2) / 3;
+    }
+    @example@
+    printf("%d records\\n", a.count);
+    for (int i = 0; i < a.count; i++)
+        printf("%d %d %s\\n", a.crossing[i].a.first, a.crossing[i].b.first, fatline_standing_text(a.crossing[i].standing));
+}
+"""
+STAR_RECORDS = "5 records\n0 2 unique\n0 3 unique\n1 3 unique\n1 4 unique\n2 4 unique\n"
+
+
+def paths_of_readme(home):
+    """The lines of the section on paths, in a program: with points of five cubics."""
+    prefix = home / ".local"
+    (home / "star.c").write_text(STAR.replace("    @example@\n", textwrap.indent(example("Paths"), "    ")))
+    run("gcc", *STRICT, f"-I{prefix}/include", home / "star.c", prefix / "lib/libfatline.a", "-lm", "-o", home / "star")
+    assert run(home / "star") == STAR_RECORDS, run(home / "star")
 
 
 def files_and_removal(home):
@@ -168,20 +200,10 @@ def commands(home):
 
 
 def main():
-    tests = [what_readme_says, files_and_removal, every_compiler, names, names_control, manual, commands]
-    failed = 0
+    tests = [what_readme_says, paths_of_readme, files_and_removal, every_compiler, names, names_control, manual, commands]
     with tempfile.TemporaryDirectory() as folder:
-        for number, test in enumerate(tests, 1):
-            try:
-                why = test(Path(folder))
-                print(f"ok {number} - {test.__name__}" + (f" # SKIP {why}" if why else ""), flush=True)
-            except AssertionError as reason:
-                failed += 1
-                print(f"not ok {number} - {test.__name__}", flush=True)
-                print("# " + str(reason).replace("\n", "\n# "))
-    print(f"1..{len(tests)}")
-    return 1 if failed else 0
+        run_tests([(test.__name__, lambda test=test: test(Path(folder))) for test in tests])
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -137,6 +137,31 @@ static void test_records_that_touch(void **state)
     scene_clear(&e);
 }
 
+/* What is proved to be one solution is a point, however near another is: two solutions within the tolerance.
+ */
+static void test_proved_records_stay_apart(void **state)
+{
+    static const char near_ones[] =
+        "{\"id\":\"z\",\"f\":{\"points\":[[0,0],[1,1]]},\"g\":{\"points\":[[0,1],[1,0]]},"
+        "\"expected\":{\"count\":2,\"params\":[[0.5,0.5],[0.50000001,0.5]],\"exact\":[[\"1/2\",\"1/2\"],"
+        "[\"50000001/100000000\",\"1/2\"]]}}";
+    struct scene e;
+    (void)state;
+    scene_make(&e, near_ones);
+    e.a.points_only = false;
+    e.a.tolerance = (real)1e-6;
+    say(&e, 0.5, 0.5);
+    say(&e, 0.50000001, 0.5);
+    assert_judged(&e, WRONG, 1, 1, 0, 0);
+    e.a.crossings->at[0].standing = e.a.crossings->at[1].standing = UNIQUE;
+    assert_judged(&e, RIGHT, 2, 0, 0, 0);
+    say(&e, 0.500000005, 0.5); /* what touches them says no more */
+    assert_judged(&e, RIGHT, 2, 0, 0, 0);
+    e.a.crossings->at[2].standing = UNIQUE; /* but proved, it is one too many */
+    assert_judged(&e, WRONG, 2, 0, 0, 1);
+    scene_clear(&e);
+}
+
 static void test_outcomes_that_are_no_answers(void **state)
 {
     static const struct {
@@ -203,6 +228,7 @@ int main(void)
         cmocka_unit_test(test_one_to_one),
         cmocka_unit_test(test_nearest_first),
         cmocka_unit_test(test_records_that_touch),
+        cmocka_unit_test(test_proved_records_stay_apart),
         cmocka_unit_test(test_outcomes_that_are_no_answers),
         cmocka_unit_test(test_how_an_overlap_is_told),
         cmocka_unit_test(test_an_overlap_that_is_none),

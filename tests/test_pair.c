@@ -2,6 +2,7 @@
  */
 #include <math.h>
 
+#include "arcs_cut.h"
 #include "nasty.h"
 #include "solving.h"
 
@@ -11,45 +12,26 @@
 
 enum { PAIR_DEGREE_MAX = 3, MEMORY = 2 * (DEGREE_MAX + 1) * (PAIR_DEGREE_MAX + 1) };
 
-struct cut {
-    struct arc arc;
+/* An arc with its reductions. */
+struct reduced {
+    struct cut cut;
     struct reduction reduction[PAIR_DEGREE_MAX];
-    real points[3 * (DEGREE_MAX + 1)], memory[PAIR_DEGREE_MAX][MEMORY];
+    real memory[PAIR_DEGREE_MAX][MEMORY];
 };
 
-static void cut_init(struct cut *c, const struct curve *of, real lo, real hi, real scale)
+static void reduced_init(struct reduced *c, const struct curve *of, real lo, real hi, real scale)
 {
-    int n = of->degree, length = n + 1;
-    bernstein_restrict(n, 1, of->x, lo, hi, c->points);
-    bernstein_restrict(n, 1, of->y, lo, hi, c->points + length);
-    if (of->w)
-        bernstein_restrict(n, 1, of->w, lo, hi, c->points + 2 * length);
-    c->arc.degree = n;
-    c->arc.x = c->points;
-    c->arc.y = c->points + length;
-    c->arc.w = of->w ? c->points + 2 * length : NULL;
-    c->arc.error = (12 * n + 1) * (REAL_EPSILON / 2) * scale * (of->w ? 2 : 1);
+    cut_init(&c->cut, of, lo, hi, scale);
     for (int d = 1; d <= PAIR_DEGREE_MAX; d++)
-        reduction_init(&c->reduction[d - 1], n, d, c->memory[d - 1]);
+        reduction_init(&c->reduction[d - 1], of->degree, d, c->memory[d - 1]);
 }
 
-static struct cut a, b;
+static struct reduced a, b;
 static struct planted pair;
 
 static enum pair_outcome clip(int k, real scale, struct pair_box *box)
 {
-    return pair_clip(&a.arc, &b.arc, scale, a.reduction, b.reduction, k, box);
-}
-
-/* [lo, lo + 2^-e] within [0, 1] that holds t at the local parameter *local, a multiple of 1/8. */
-static real around(struct random_state *r, real t, int e, real *local)
-{
-    real lo, width = real_ldexp(1, -e);
-    do {
-        *local = (real)(int)random_between(r, 0, 8) / 8;
-        lo = t - *local * width;
-    } while (lo < 0 || lo + width > 1);
-    return lo;
+    return pair_clip(&a.cut.arc, &b.cut.arc, scale, a.reduction, b.reduction, k, box);
 }
 
 /* The planted zero is in the box; where the box is said to hold one, Krawczyk's test does not deny it. */
@@ -65,8 +47,8 @@ static void test_planted(void **state)
         struct pair_box box;
         planted_make(&pair, &r, nasty_degree(&r, 8), nasty_degree(&r, 8), rational);
         real lo = around(&r, pair.t, e, &t), lo_s = around(&r, pair.s, e + apart, &s);
-        cut_init(&a, &pair.f.curve, lo, lo + real_ldexp(1, -e), 8);
-        cut_init(&b, &pair.g.curve, lo_s, lo_s + real_ldexp(1, -e - apart), 8);
+        reduced_init(&a, &pair.f.curve, lo, lo + real_ldexp(1, -e), 8);
+        reduced_init(&b, &pair.g.curve, lo_s, lo_s + real_ldexp(1, -e - apart), 8);
         enum pair_outcome outcome = clip(k, 8, &box);
         if (outcome == NOWHERE_MET)
             fail_msg("case %d, degree %d: a zero is denied", i, k);
@@ -77,7 +59,7 @@ static void test_planted(void **state)
             fail_msg("case %d, degree %d: the zero is not in the box", i, k);
         inside += t > 0 && t < 1 && s > 0 && s < 1;
         proved += box.holds_one;
-        if (box.holds_one && krawczyk_narrow(&a.arc, &b.arc, &box.t, &box.s) == NO_ZERO)
+        if (box.holds_one && krawczyk_narrow(&a.cut.arc, &b.cut.arc, &box.t, &box.s) == NO_ZERO)
             fail_msg("case %d, degree %d: Krawczyk's test finds no zero where one is proved", i, k);
     }
     assert_true(boxed > cases / 2);
@@ -104,13 +86,13 @@ static void test_two_zeros(void **state)
         f.y[2] = (1 - p) * (1 - q);
         g.x[0] = g.y[0] = g.y[1] = 0;
         g.x[1] = 1;
-        cut_init(&b, &g.curve, 0, 1, 2);
-        cut_init(&a, &f.curve, p - gap / 4, q + gap / 4, 2);
+        reduced_init(&b, &g.curve, 0, 1, 2);
+        reduced_init(&a, &f.curve, p - gap / 4, q + gap / 4, 2);
         for (int k = 1; k <= 3; k++)
             if (clip(k, 2, &box) == BOXED && box.holds_one)
                 fail_msg("case %d, degree %d: two zeros called one", i, k);
-        cut_init(&a, &f.curve, p - gap / 4, p + gap / 4, 2);
-        cut_init(&b, &g.curve, p - gap / 4, p + gap / 4, 2);
+        reduced_init(&a, &f.curve, p - gap / 4, p + gap / 4, 2);
+        reduced_init(&b, &g.curve, p - gap / 4, p + gap / 4, 2);
         proved += clip(1 + i % 3, 2, &box) == BOXED && box.holds_one;
     }
     assert_true(proved == cases);
@@ -129,13 +111,13 @@ static void test_no_zero(void **state)
         prop_curve_make(&g, &r, nasty_degree(&r, 8), 20, false);
         real t = prop_unit(&r, 6) / 2, s = prop_unit(&r, 6) / 2,
              h = real_ldexp(1, -(int)random_between(&r, 1, 20));
-        cut_init(&a, &f.curve, t, t + h, 2);
-        cut_init(&b, &g.curve, s, s + h, 2);
+        reduced_init(&a, &f.curve, t, t + h, 2);
+        reduced_init(&b, &g.curve, s, s + h, 2);
         real away = 64 * h; /* both curves have slopes below 64 */
-        real move = a.arc.x[0] / (a.arc.w ? a.arc.w[0] : (real)1) - b.arc.x[0] + 4 * away;
+        real move = a.cut.arc.x[0] / (a.cut.arc.w ? a.cut.arc.w[0] : (real)1) - b.cut.arc.x[0] + 4 * away;
         for (int j = 0; j <= g.curve.degree; j++)
             g.x[j] = g.x[j] + move;
-        cut_init(&b, &g.curve, s, s + h, 512);
+        reduced_init(&b, &g.curve, s, s + h, 512);
         if (clip(1 + i % 3, 512, &box) == BOXED && box.holds_one)
             fail_msg("case %d: a zero where there is none", i);
     }
@@ -153,8 +135,8 @@ static double step_width(int k, int j)
 {
     struct pair_box box;
     real h = real_ldexp(1, -j);
-    cut_init(&a, &pair.f.curve, pair.t - h * 5 / 16, pair.t + h * 11 / 16, 8);
-    cut_init(&b, &pair.g.curve, pair.s - h * 9 / 16, pair.s + h * 7 / 16, 8);
+    reduced_init(&a, &pair.f.curve, pair.t - h * 5 / 16, pair.t + h * 11 / 16, 8);
+    reduced_init(&b, &pair.g.curve, pair.s - h * 9 / 16, pair.s + h * 7 / 16, 8);
     if (clip(k, 8, &box) != BOXED)
         return 0;
     return log2_of(real_max(box.t.hi - box.t.lo, box.s.hi - box.s.lo) * h);

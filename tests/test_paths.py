@@ -2,27 +2,21 @@
 """`fatline paths`: rows, readers, mistakes in the input, times.  Prints TAP."""
 
 import json
-import subprocess
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-PRECISIONS = ["double", "quad", "multi"]
+import runner
+from runner import at_each_precision, number, run_tests
+
 FIELDS = {"segments", "t", "s", "standing"}
 
 
 def fatline(precision, *options, text=None):
-    command = [ROOT / "build" / "fatline", "--precision", precision, "paths", *options]
-    return subprocess.run([str(c) for c in command], input=text, capture_output=True, text=True)
+    return runner.fatline("paths", *options, text=text, precision=precision)
 
 
 def rows(done):
-    assert done.returncode == 0, (done.returncode, done.stderr)
-    return [json.loads(line) for line in done.stdout.splitlines()]
-
-
-def number(x):
-    return float.fromhex(x) if isinstance(x, str) else float(x)
+    return [json.loads(line) for line in runner.expect(done, 0).splitlines()]
 
 
 def of_text(precision, a, b=None, *options):
@@ -191,17 +185,5 @@ def beside(precision):
     assert row["beside_pairs"] > 0 and row["ratio_lo"] <= row["ratio"] <= row["ratio_hi"], row
 
 
-def main():
-    tests = [(f"{test.__name__} {p}", test, p)
-             for test in (random_walks, forms, arcs, svg_file, loops, mistakes, usage, times, beside) for p in PRECISIONS]
-    print(f"1..{len(tests)}")
-    for k, (name, test, precision) in enumerate(tests, 1):
-        try:
-            test(precision)
-            print(f"ok {k} - {name}")
-        except (AssertionError, ValueError, KeyError, IndexError) as why:
-            print(f"not ok {k} - {name}\n# {why}".replace("\n", "\n# ").replace("\n# # ", "\n# "))
-
-
 if __name__ == "__main__":
-    main()
+    run_tests(at_each_precision(random_walks, forms, arcs, svg_file, loops, mistakes, usage, times, beside))

@@ -2,16 +2,15 @@
 """Other people's libraries as intersectors: those that are installed answer as they should, those that are not are named,
 and whatever crashes, hangs or exhausts its stack is an answer in bounded time.  Prints TAP."""
 
-import json
 import os
 import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-FATLINE = str(ROOT / "build/fatline")
+import runner
+from runner import ROOT, rows, run_tests
+
 REACH = "1e-4"
 # What is right on clean crossings of cubics, and how exact its parameters are.
 EXACT = {"lyon_geom": 1e-8, "lyon_geom_polished": 1e-13, "lib2geom": 1e-7, "lib2geom_polished": 1e-13,
@@ -49,14 +48,8 @@ CASES = "".join('{"id":"%s","class":"transversal","f":{"points":[["%s",0],[1,1]]
                 for name, x in (("good", "0"), ("bad", "0.75"), ("good again", "0")))
 
 
-def fatline(*arguments, text=None, peers=None, timeout=120):
-    env = {**os.environ, **({"FATLINE_PEERS": str(peers)} if peers else {})}
-    return subprocess.run([FATLINE, *map(str, arguments)], input=text, capture_output=True, text=True, env=env,
-                          timeout=timeout)
-
-
-def rows(ended):
-    return [row for row in map(json.loads, ended.stdout.splitlines()) if "environment" not in row]
+def fatline(*arguments, peers=None, **how):
+    return runner.fatline(*arguments, env={"FATLINE_PEERS": str(peers)} if peers else None, **how)
 
 
 def listed(peers=None):
@@ -205,19 +198,5 @@ def test_timing_protocols():
     return None
 
 
-def main():
-    tests = [(name, test) for name, test in globals().items() if name.startswith("test_")]
-    failed = 0
-    print(f"1..{len(tests)}")
-    for number, (name, test) in enumerate(tests, 1):
-        try:
-            skipped = test()
-            print(f"ok {number} - {name}" + (f" # SKIP {skipped}" if skipped else ""), flush=True)
-        except Exception as reason:  # noqa: BLE001: a test that ends in any other way has failed
-            failed += 1
-            print(f"not ok {number} - {name}\n# {type(reason).__name__}: {str(reason)[:1500]}", flush=True)
-    return 1 if failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    run_tests(globals())

@@ -4,26 +4,19 @@
 The verified regions are read from the folder in FATLINE_CASES or from ../shared/cases, where they are."""
 
 import json
-import os
-import subprocess
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-CASES = Path(os.environ.get("FATLINE_CASES", ROOT.parent / "shared" / "cases")) / "regions.jsonl"
+import runner
+from runner import ROOT, Skipped, at_each_precision, number, run_tests
+
+CASES = runner.CASES / "regions.jsonl"
 OWN = ROOT / "datasets" / "regions.jsonl"
-PRECISIONS = ["double", "quad", "multi"]
 # The parabola over [0, 1] with its middle point free: curvature keeps its sign on one side of the chord's line.
 PARABOLA = {"id": "parabola", "degree": 2, "knots": None, "points": [["0", "0"], ["1", "2"], ["2", "0"]],
             "weights": None, "free": 1, "interval": ["0", "1"], "sign": -1}
 
 
 def region(precision, options, line):
-    command = [ROOT / "build" / "fatline", "--precision", precision, "region", *options]
-    return subprocess.run([str(c) for c in command], input=line, capture_output=True, text=True)
-
-
-def number(x):
-    return float.fromhex(x) if isinstance(x, str) else float(x)
+    return runner.fatline("region", *options, text=line, precision=precision)
 
 
 def half_plane(precision):
@@ -126,26 +119,12 @@ def randomly(precision):
 
 
 def verified(precision):
+    if not CASES.exists():
+        raise Skipped(f"no file {CASES.name} beside the project")
     done = region(precision, ["--check", str(CASES)], "")
     assert done.returncode == 0 and " 0 wrong" in done.stdout, (done.returncode, done.stdout, done.stderr)
 
 
-def main():
-    tests = [(f"{test.__name__} {p}", test, p) for test in (half_plane, wrong_sign_is_other_side, mistakes, degenerate,
-                                                   triangle, unsupported, randomly)
-             for p in PRECISIONS]
-    if CASES.exists():
-        tests += [(f"verified {p}", verified, p) for p in PRECISIONS]
-    print(f"1..{len(tests) + (not CASES.exists())}")
-    for k, (name, test, precision) in enumerate(tests, 1):
-        try:
-            test(precision)
-            print(f"ok {k} - {name}")
-        except (AssertionError, ValueError, KeyError) as why:
-            print(f"not ok {k} - {name}\n# {why}")
-    if not CASES.exists():
-        print(f"ok {len(tests) + 1} - verified # SKIP no file {CASES.name} beside the project")
-
-
 if __name__ == "__main__":
-    main()
+    run_tests(at_each_precision(half_plane, wrong_sign_is_other_side, mistakes, degenerate, triangle, unsupported,
+                                randomly, verified))

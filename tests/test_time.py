@@ -3,29 +3,18 @@
 after it, filters, estimates, instruction counts.  Prints TAP."""
 
 import json
-import os
 import shutil
 import signal
 import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-FATLINE = str(ROOT / "build/fatline")
+from runner import FATLINE, fatline, run_tests
+from runner import rows as rows_of
+
 QUICK = ["--rounds", 5, "--seconds", 0.05]
 TIMING = ("ns_", "ratio", "floor_ratio", "samples", "passes", "outliers", "run", "worst_id")
-
-
-def fatline(*arguments, text=None, precision=None, timeout=120):
-    chosen = ["--precision", precision] if precision else []
-    return subprocess.run([FATLINE, *chosen, *map(str, arguments)], input=text, capture_output=True, text=True,
-                          timeout=timeout)
-
-
-def rows_of(text):
-    return [row for row in map(json.loads, text.splitlines()) if "environment" not in row]
 
 
 def proved(folder, family="random", count=30, degree=3, seed=3):
@@ -202,20 +191,5 @@ def test_instructions_are_counted():
     return None
 
 
-def main():
-    tests = [(name, test) for name, test in globals().items() if name.startswith("test_")]
-    failed = 0
-    os.chdir(ROOT)
-    print(f"1..{len(tests)}")
-    for number, (name, test) in enumerate(tests, 1):
-        try:
-            skipped = test()
-            print(f"ok {number} - {name}" + (f" # SKIP {skipped}" if skipped else ""), flush=True)
-        except Exception as reason:  # noqa: BLE001: a test that ends in any other way has failed
-            failed += 1
-            print(f"not ok {number} - {name}\n# {type(reason).__name__}: {str(reason)[:1500]}", flush=True)
-    return 1 if failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    run_tests(globals())

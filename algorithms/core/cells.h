@@ -179,6 +179,13 @@ static inline void cell_halve_g(const struct problem *p, struct cell *c, struct 
     cell_cut_g(p, c);
 }
 
+/* By boxes along both arcs' chords: what is asked of a cell before it becomes a record. */
+static inline bool cell_arcs_may_meet(const struct problem *p, const struct cell *c)
+{
+    struct arc f = cell_f(p, c), g = cell_g(p, c);
+    return arc_oriented_boxes_meet(&f, &g, p->bounds.scale);
+}
+
 /* ---- the stack ---- */
 
 static inline bool cell_is_narrow(const struct problem *p, const struct cell *c)
@@ -325,5 +332,33 @@ static inline enum outcome solve_by_shrinking(const struct problem *p, struct wo
     }
     return outcome;
 }
+
+/* The entry of the registry for degree k of a method, whose shrink(k, p, w, c, piece), solve(p, w, out, k,
+ * step) and scratch(k, n, m) are functions of the file: the compiler sees which k.  What follows are the
+ * orders claimed. */
+#define CELL_METHOD(method, k_, summary_, reference_, ...)                                                   \
+    static int shrink_##k_(const struct problem *p, const struct workspace *w, struct cell *c,               \
+                           struct piece piece[PIECES_MAX])                                                   \
+    {                                                                                                        \
+        return shrink(k_, p, w, c, piece);                                                                   \
+    }                                                                                                        \
+    static enum outcome intersect_##k_(const struct problem *p, struct workspace *w, struct crossings *out)  \
+    {                                                                                                        \
+        return solve(p, w, out, k_, shrink_##k_);                                                            \
+    }                                                                                                        \
+    static size_t scratch_##k_(int n, int m)                                                                 \
+    {                                                                                                        \
+        return scratch(k_, n, m);                                                                            \
+    }                                                                                                        \
+    extern const struct intersector method##_##k_;                                                           \
+    const struct intersector method##_##k_ = {                                                               \
+        .name = #method "_" #k_,                                                                             \
+        .summary = summary_,                                                                                 \
+        .reference = reference_,                                                                             \
+        .claimed = {__VA_ARGS__},                                                                            \
+        .intersect = intersect_##k_,                                                                         \
+        .scratch = scratch_##k_,                                                                             \
+        .points_only = false,                                                                                \
+    };
 
 #endif

@@ -3,6 +3,7 @@
 #include "../core/bernstein.h"
 #include "form.h"
 #include "pieces.h"
+#include "planes.h"
 
 enum { RING = 256 }; /* coefficients of a series that are looked back on: at most 64 */
 

@@ -3,6 +3,7 @@
 
 #include "cone.h"
 #include "pieces.h"
+#include "planes.h"
 
 enum { CUTS = 4 * FORM_MAX };
 

@@ -1,6 +1,7 @@
 /* Arcs of the envelope inside a convex polygon, cut by its edges. */
 #include "carriers.h"
 #include "form.h"
+#include "planes.h"
 
 #include "../core/bernstein.h"
 

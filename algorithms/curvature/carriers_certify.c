@@ -7,6 +7,7 @@
  * conditions are linear, and the arc's points are positive combinations of them. */
 #include "carriers.h"
 #include "form.h"
+#include "planes.h"
 
 #include "../core/bernstein.h"
 

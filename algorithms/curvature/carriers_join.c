@@ -1,6 +1,7 @@
 /* The boundary from its visible parts, in the order of their normals. */
 #include "carriers.h"
 #include "form.h"
+#include "planes.h"
 
 enum { EDGE_MARKS = 64 };
 

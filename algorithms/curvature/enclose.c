@@ -1,4 +1,5 @@
 #include "enclose.h"
+#include "planes.h"
 
 enum clip enclose_clip(struct cone *c, const struct half_plane *p, real relaxed)
 {

@@ -2,6 +2,7 @@
 #include "arcs.h"
 #include "boundary.h"
 #include "pieces.h"
+#include "planes.h"
 
 enum { ROUNDS = 200, SAMPLES = 8, LINES = 3, TANGENTS_MAX = 256 };
 

@@ -3,6 +3,7 @@
 #include "boundary.h"
 #include "family.h"
 #include "pieces.h"
+#include "planes.h"
 
 #include "../core/bernstein.h"
 

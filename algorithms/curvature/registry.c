@@ -6,6 +6,7 @@
 #define INTERSECTOR(name)
 #define CONTROL(name)
 #define PEER(name)
+#define VARIANT(name)
 #define REGION_METHOD(name) extern const struct region_method name;
 #include "../list.h"
 #undef REGION_METHOD

@@ -49,15 +49,9 @@ static int shrink(const struct problem *p, const struct workspace *w, struct cel
     return arc_oriented_boxes_meet(&f, &g, p->bounds.scale) ? HALVE : 0;
 }
 
-static bool may_meet(const struct problem *p, const struct cell *c)
-{
-    struct arc f = cell_f(p, c), g = cell_g(p, c);
-    return arc_oriented_boxes_meet(&f, &g, p->bounds.scale);
-}
-
 static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
 {
-    return solve_by_shrinking(p, w, out, shrink, may_meet, LONGER_ARC);
+    return solve_by_shrinking(p, w, out, shrink, cell_arcs_may_meet, LONGER_ARC);
 }
 
 extern const struct intersector bezier_clipping;

@@ -173,12 +173,6 @@ static inline ALWAYS_INLINE int shrink(int k, const struct problem *p, const str
     return HALVE;
 }
 
-static bool may_meet(const struct problem *p, const struct cell *c)
-{
-    struct arc f = cell_f(p, c), g = cell_g(p, c);
-    return arc_oriented_boxes_meet(&f, &g, p->bounds.scale);
-}
-
 static enum outcome solve(const struct problem *p, struct workspace *w, struct crossings *out, int k,
                           shrink_function *step)
 {
@@ -187,37 +181,21 @@ static enum outcome solve(const struct problem *p, struct workspace *w, struct c
         reduction_init(&unused, p->f.degree, k, w->scratch);
         reduction_init(&unused, p->g.degree, k, w->scratch + reduction_length(p->f.degree, k));
     }
-    return solve_by_shrinking(p, w, out, step, may_meet, LONGER_ARC);
+    return solve_by_shrinking(p, w, out, step, cell_arcs_may_meet, LONGER_ARC);
 }
 
-/* One entry of the registry for each degree; the orders claimed are (k + 1) / mu, at a cusp that is crossed
- * mu = 2. */
-#define GAP(k_, what)                                                                                        \
-    static int shrink_##k_(const struct problem *p, const struct workspace *w, struct cell *c,               \
-                           struct piece piece[PIECES_MAX])                                                   \
-    {                                                                                                        \
-        return shrink(k_, p, w, c, piece);                                                                   \
-    }                                                                                                        \
-    static enum outcome intersect_##k_(const struct problem *p, struct workspace *w, struct crossings *out)  \
-    {                                                                                                        \
-        return solve(p, w, out, k_, shrink_##k_);                                                            \
-    }                                                                                                        \
-    static size_t scratch_##k_(int n, int m)                                                                 \
-    {                                                                                                        \
-        return 2 * (size_t)(n + m + 2) * (size_t)(k_ + 1);                                                   \
-    }                                                                                                        \
-    extern const struct intersector gap_clipping_##k_;                                                       \
-    const struct intersector gap_clipping_##k_ = {                                                           \
-        .name = "gap_clipping_" #k_,                                                                         \
-        .summary = what,                                                                                     \
-        .reference = "fatline; relatives: Juttler and Moore, A quadratic clipping step, 2011",               \
-        .claimed = {k_ + 1, (k_ + 1) / 2.0, (k_ + 1) / 3.0, (k_ + 1) / 2.0},                                 \
-        .intersect = intersect_##k_,                                                                         \
-        .scratch = scratch_##k_,                                                                             \
-        .points_only = false,                                                                                \
-    };
+static size_t scratch(int k, int n, int m)
+{
+    return 2 * (size_t)(n + m + 2) * (size_t)(k + 1);
+}
 
-GAP(2, "clip the gap of the curves over one parameter, degree 2")
-GAP(3, "clip the gap of the curves over one parameter, degree 3")
-GAP(4, "clip the gap of the curves over one parameter, degree 4")
-GAP(5, "clip the gap of the curves over one parameter, degree 5")
+/* The orders are (k + 1) / mu, at a cusp that is crossed mu = 2. */
+#define GAP(k_)                                                                                              \
+    CELL_METHOD(gap_clipping, k_, "clip the gap of the curves over one parameter, degree " #k_,              \
+                "fatline; relatives: Juttler and Moore, A quadratic clipping step, 2011", k_ + 1,            \
+                (k_ + 1) / 2.0, (k_ + 1) / 3.0, (k_ + 1) / 2.0)
+
+GAP(2)
+GAP(3)
+GAP(4)
+GAP(5)

@@ -209,12 +209,6 @@ static inline ALWAYS_INLINE int shrink(const struct rules *rules, const struct p
     return HALVE;
 }
 
-static bool may_meet(const struct problem *p, const struct cell *c)
-{
-    struct arc f = cell_f(p, c), g = cell_g(p, c);
-    return arc_oriented_boxes_meet(&f, &g, p->bounds.scale);
-}
-
 /* margin: 1; 0 only in a control, which then takes every control point for exact. */
 static inline enum outcome solve(const struct problem *p, struct workspace *w, struct crossings *out, int k,
                                  shrink_function *step, enum halving rule, int margin)
@@ -225,11 +219,11 @@ static inline enum outcome solve(const struct problem *p, struct workspace *w, s
         reduction_init(&unused, p->g.degree, k, w->scratch + reduction_length(p->f.degree, k));
     }
     if (margin) {
-        return solve_by_shrinking(p, w, out, step, may_meet, rule);
+        return solve_by_shrinking(p, w, out, step, cell_arcs_may_meet, rule);
     }
     struct problem q = *p;
     q.bounds.scale = q.bounds.f = q.bounds.g = 0;
-    return solve_by_shrinking(&q, w, out, step, may_meet, rule);
+    return solve_by_shrinking(&q, w, out, step, cell_arcs_may_meet, rule);
 }
 
 static inline size_t scratch_length(int n, int m, int k)

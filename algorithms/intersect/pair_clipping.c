@@ -66,12 +66,6 @@ static inline ALWAYS_INLINE int shrink(int k, const struct problem *p, const str
     return c->proved && box.at_floor ? ACCEPT : HALVE;
 }
 
-static bool may_meet(const struct problem *p, const struct cell *c)
-{
-    struct arc f = cell_f(p, c), g = cell_g(p, c);
-    return arc_oriented_boxes_meet(&f, &g, p->bounds.scale);
-}
-
 static enum outcome solve(const struct problem *p, struct workspace *w, struct crossings *out, int k,
                           shrink_function *step)
 {
@@ -82,34 +76,19 @@ static enum outcome solve(const struct problem *p, struct workspace *w, struct c
         reduction_init(&unused, n, d, memory);
         memory += reduction_length(n, d);
     }
-    return solve_by_shrinking(p, w, out, step, may_meet, LONGER_ARC);
+    return solve_by_shrinking(p, w, out, step, cell_arcs_may_meet, LONGER_ARC);
 }
 
-#define PAIR(k_, what)                                                                                       \
-    static int shrink_##k_(const struct problem *p, const struct workspace *w, struct cell *c,               \
-                           struct piece piece[PIECES_MAX])                                                   \
-    {                                                                                                        \
-        return shrink(k_, p, w, c, piece);                                                                   \
-    }                                                                                                        \
-    static enum outcome intersect_##k_(const struct problem *p, struct workspace *w, struct crossings *out)  \
-    {                                                                                                        \
-        return solve(p, w, out, k_, shrink_##k_);                                                            \
-    }                                                                                                        \
-    static size_t scratch_##k_(int n, int m)                                                                 \
-    {                                                                                                        \
-        return (size_t)(n + m + 2) * (size_t)(k_ * (k_ + 3));                                                \
-    }                                                                                                        \
-    extern const struct intersector pair_clipping_##k_;                                                      \
-    const struct intersector pair_clipping_##k_ = {                                                          \
-        .name = "pair_clipping_" #k_,                                                                        \
-        .summary = what,                                                                                     \
-        .reference = "fatline; relatives: Krawczyk 1969, Juttler and Moore 2011",                            \
-        .claimed = {k_ + 1, 1, 0, 0},                                                                        \
-        .intersect = intersect_##k_,                                                                         \
-        .scratch = scratch_##k_,                                                                             \
-        .points_only = false,                                                                                \
-    };
+static size_t scratch(int k, int n, int m)
+{
+    return (size_t)(n + m + 2) * (size_t)(k * (k + 3));
+}
 
-PAIR(1, "both curves as fat curves of degree 1, preconditioned; boxes proved unique")
-PAIR(2, "both curves as fat curves of degree 2, preconditioned; boxes proved unique")
-PAIR(3, "both curves as fat curves of degree 3, preconditioned; boxes proved unique")
+#define PAIR(k_)                                                                                             \
+    CELL_METHOD(pair_clipping, k_,                                                                           \
+                "both curves as fat curves of degree " #k_ ", preconditioned; boxes proved unique",          \
+                "fatline; relatives: Krawczyk 1969, Juttler and Moore 2011", k_ + 1, 1, 0, 0)
+
+PAIR(1)
+PAIR(2)
+PAIR(3)

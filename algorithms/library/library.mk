@@ -13,7 +13,8 @@ INSTALL = install
 
 LIBRARY_MODULES = crossings problem workspace
 LIBRARY_SOURCES = $(LIBRARY_MODULES:%=algorithms/%.c) \
-    $(wildcard algorithms/core/*.c algorithms/intersect/certified/*.c algorithms/curvature/*.c algorithms/library/*.c)
+    $(wildcard algorithms/core/*.c algorithms/intersect/certified/*.c algorithms/curvature/*.c algorithms/paths/*.c \
+    algorithms/library/*.c)
 library = build/library/libfatline.a build/library/libfatline.so.$(VERSION) build/library/fatline.pc
 
 build/library/%.o: %.c
@@ -34,7 +35,7 @@ build/library/fatline.pc: algorithms/library/fatline.pc.in algorithms/fatline.h 
 FORCE:
 
 # The library beside the parts it is made of: its other names are its own.
-build/double/tests/test_library build/double/tests/test_library_batch: build/library/libfatline.a
+$(patsubst tests/%.c,build/double/tests/%,$(wildcard tests/test_library*.c)): build/library/libfatline.a
 
 .PHONY: FORCE library install install-commands uninstall
 library: $(library) ## libfatline.a, libfatline.so and fatline.pc in build/library/ (needs gcc and libm only)

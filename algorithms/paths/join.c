@@ -1,161 +1,19 @@
-/* Records of one solution at a joint become one, and all are sorted.
- *
- * A solution at a joint of the first path lies in both segments that meet there, likewise of the second: up
- * to four pairs of segments find it.  Two records meet if on both paths they do: on a path two spans meet
- * that have a parameter of one segment in common, or that reach the same joint.  Records of different pairs
- * of segments that meet, and meet in turn, are one group; so every solution lies in records of one group. Of
- * a path against itself the two spans of a record are not told apart.
+/* Records of one solution at a joint (groups.c) become one, and all are sorted.
  *
  * What a group without overlaps holds: as many solutions at most as its members together.  If all of them
  * hold no more than one, and all reach the same joint of both paths, which is one point exactly, then that is
  * it: one. If not, it may be proved (joint.c). */
-#include "paths.h"
-
-struct joining {
-    const struct path_solver *z;
-    struct path_record *record;
-    int records;
-    int *bucket;  /* of sorting: count_a + 1 */
-    int *head[2]; /* of the lists of records that reach a joint, by the segment that ends there */
-    int *next;    /* of entries: 4 r + 2 side + end */
-    int *order;
-    int reaching; /* so many records reach a joint */
-    int chains;
-};
-
-static const struct path *path_of(const struct path_solver *z, int side)
-{
-    return side ? z->b : z->a;
-}
-
-static const struct path_span *span_at(const struct path_record *r, int side)
-{
-    return side ? &r->b : &r->a;
-}
-
-/* The joint that a span reaches with its lower end (end 0) or its upper one, by the segment that ends there;
- * or -1. */
-static int joint_of(const struct path *path, const struct path_span *span, int end)
-{
-    if (end) {
-        return span->hi == 1 && path->next[span->last] >= 0 ? span->last : -1;
-    }
-    return span->lo == 0 ? path->before[span->first] : -1;
-}
-
-static bool spans_meet(const struct path *path, const struct path_span *p, const struct path_span *q)
-{
-    if (p->first == q->first && p->lo <= q->hi && q->lo <= p->hi) {
-        return true;
-    }
-    for (int e = 0; e <= 1; e++) {
-        int joint = joint_of(path, p, e);
-        if (joint >= 0 && (joint == joint_of(path, q, 0) || joint == joint_of(path, q, 1))) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* ---- groups ---- */
-
-static int root_of(struct path_record *record, int r)
-{
-    while (record[r].link != r) {
-        record[r].link = record[record[r].link].link;
-        r = record[r].link;
-    }
-    return r;
-}
-
-static void unite(struct path_record *record, int p, int q)
-{
-    p = root_of(record, p);
-    q = root_of(record, q);
-    if (p < q) {
-        record[q].link = p;
-    } else {
-        record[p].link = q;
-    }
-}
-
-/* Does either end of the span lie at an end of its segment? */
-static bool is_at_end(const struct path_span *s)
-{
-    return (s->lo == 0) | (s->hi == 1);
-}
-
-/* The records that may reach a joint go into `order`, and the lists of these joints are empty. */
-static void find_reaching(struct joining *j)
-{
-    j->reaching = 0;
-    for (int r = 0; r < j->records; r++) {
-        struct path_record *p = &j->record[r];
-        p->link = r;
-        if (!is_at_end(&p->a) && !is_at_end(&p->b)) {
-            continue;
-        }
-        j->order[j->reaching++] = r;
-        for (int k = 0; k < 4; k++) {
-            int joint = joint_of(path_of(j->z, k / 2), span_at(p, k / 2), k % 2);
-            if (joint >= 0) {
-                j->head[k / 2][joint] = -1;
-            }
-        }
-    }
-}
-
-static void list_joints(struct joining *j)
-{
-    find_reaching(j);
-    for (int at = 0; at < j->reaching; at++) {
-        int r = j->order[at];
-        for (int k = 0; k < 4; k++) { /* entry 4 r + 2 side + end */
-            int side = k / 2, joint = joint_of(path_of(j->z, side), span_at(&j->record[r], side), k % 2);
-            if (joint >= 0) {
-                j->next[4 * r + k] = j->head[side][joint];
-                j->head[side][joint] = 4 * r + k;
-            }
-        }
-    }
-}
-
-/* Two entries of one list: the records reach the same joint with these sides. */
-static void try_to_unite(struct joining *j, int e, int f)
-{
-    const struct path_record *p = &j->record[e / 4], *q = &j->record[f / 4];
-    int p_side = e / 2 % 2, q_side = f / 2 % 2;
-    bool same_pair = p->a.first == q->a.first && p->b.first == q->b.first;
-    if (!same_pair && spans_meet(path_of(j->z, 1 - p_side), span_at(p, 1 - p_side), span_at(q, 1 - q_side))) {
-        unite(j->record, e / 4, f / 4);
-    }
-}
-
-static void unite_all(struct joining *j)
-{
-    for (int at = 0; at < j->reaching; at++) {
-        int r = j->order[at];
-        for (int e = 4 * r; e < 4 * r + 4; e++) {
-            int side = e / 2 % 2;
-            if (joint_of(path_of(j->z, side), span_at(&j->record[r], side), e % 2) < 0) {
-                continue;
-            }
-            for (int f = j->next[e]; f >= 0; f = j->next[f]) {
-                try_to_unite(j, e, f);
-            }
-        }
-    }
-}
+#include "join.h"
 
 /* ---- one group ---- */
 
 /* Of a path against itself: turns the spans of q so that they go with those of p, if they do. */
 static bool turn_to(const struct path *path, const struct path_record *p, struct path_record *q)
 {
-    if (spans_meet(path, &p->a, &q->a) && spans_meet(path, &p->b, &q->b)) {
+    if (path_spans_meet(path, &p->a, &q->a) && path_spans_meet(path, &p->b, &q->b)) {
         return true;
     }
-    if (!spans_meet(path, &p->a, &q->b) || !spans_meet(path, &p->b, &q->a)) {
+    if (!path_spans_meet(path, &p->a, &q->b) || !path_spans_meet(path, &p->b, &q->a)) {
         return false;
     }
     struct path_span s = q->a;
@@ -191,7 +49,7 @@ static bool reach(const struct joining *j, int root, int side, int segment, int 
 {
     bool found = false;
     for (int r = root; r >= 0; r = j->next[4 * r]) {
-        const struct path_span *p = span_at(&j->record[r], side);
+        const struct path_span *p = joining_span(&j->record[r], side);
         if (p->first == segment && (end == 2 || (end == 0 ? p->lo == 0 : p->hi == 1))) {
             s->lo = found ? real_min(s->lo, p->lo) : p->lo;
             s->hi = found ? real_max(s->hi, p->hi) : p->hi;
@@ -203,8 +61,8 @@ static bool reach(const struct joining *j, int root, int side, int segment, int 
 
 static struct path_span hull_of(const struct joining *j, int root, int side)
 {
-    const struct path *path = path_of(j->z, side);
-    int home = span_at(&j->record[root], side)->first;
+    const struct path *path = joining_path(j->z, side);
+    int home = joining_span(&j->record[root], side)->first;
     struct path_span s = {home, home, 0, 1}, ends;
     for (int k = path->before[home]; k >= 0 && k != home && reach(j, root, side, k, 1, &ends);
          k = path->before[k]) {
@@ -231,8 +89,8 @@ static bool is_at_joints(const struct joining *j, int root, int x, int y)
     const struct path *a = j->z->a, *b = j->z->b;
     for (int r = root; r >= 0; r = j->next[4 * r]) {
         const struct path_span *p = &j->record[r].a, *q = &j->record[r].b;
-        if ((joint_of(a, p, 0) != x && joint_of(a, p, 1) != x) ||
-            (joint_of(b, q, 0) != y && joint_of(b, q, 1) != y)) {
+        if ((path_joint_reached(a, p, 0) != x && path_joint_reached(a, p, 1) != x) ||
+            (path_joint_reached(b, q, 0) != y && path_joint_reached(b, q, 1) != y)) {
             return false;
         }
     }
@@ -243,7 +101,7 @@ static bool meets_at_joints(const struct joining *j, int root)
 {
     const struct path_record *r = &j->record[root];
     for (int k = 0; k < 4; k++) {
-        int x = joint_of(j->z->a, &r->a, k & 1), y = joint_of(j->z->b, &r->b, k >> 1);
+        int x = path_joint_reached(j->z->a, &r->a, k & 1), y = path_joint_reached(j->z->b, &r->b, k >> 1);
         if (x >= 0 && y >= 0 && is_at_joints(j, root, x, y)) {
             return true;
         }
@@ -310,7 +168,7 @@ static void settle_groups(struct joining *j)
         j->next[4 * j->order[at]] = -1;
     }
     for (int at = j->reaching - 1; at >= 0; at--) {
-        int r = j->order[at], root = root_of(j->record, r);
+        int r = j->order[at], root = path_group_of(j->record, r);
         if (root != r) { /* a root has the least number of its group, and comes last */
             j->next[4 * r] = j->next[4 * root];
             j->next[4 * root] = r;
@@ -397,8 +255,7 @@ void path_records_join(const struct path_solver *z, struct path_records *all, vo
     j.next = j.head[0] + joints;
     j.order = j.next + 4 * (size_t)records;
     j.chains = 0;
-    list_joints(&j);
-    unite_all(&j);
+    path_groups_make(&j);
     settle_groups(&j);
     turn_spans(&j);
     all->count = drop_doubles(&j, path_records_sort(j.record, j.records, z->a->count, j.bucket, j.order));

@@ -18,7 +18,9 @@
  * Rounding.  Control points of a piece err by at most 8 n u S (bernstein_restrict), S the largest coordinate,
  * so directions by e = 17 n u S in each coordinate; cross products by e_h V_k + e_k V_h, e_h e_k and their
  * own 2 u V_h V_k, V_h and V_k raised by 2 e: 2 (e_h V_k + e_k V_h) covers all, for u V <= 4 u S <= e.  An
- * end of a segment is a control point of it; else a point errs by 3 n u S, and H by the sum and u |H|. */
+ * end of a segment is a control point of it; else a point errs by 3 n u S, and H by the sum and u |H|.  A
+ * quarter of what covers all is spare; underflow of products, by u REAL_LEAST each, takes 8 u REAL_LEAST of
+ * it, nothing where the bound is above 64 u REAL_LEAST.  Where products overflow nothing is proved. */
 #include "../core/bernstein.h"
 #include "paths.h"
 
@@ -110,8 +112,8 @@ static real least_cross(const struct side *h, const struct side *k)
             most = real_max(most, a);
         }
     }
-    real c = real_max(least, -most) - 2 * (h->error * k->longest + k->error * h->longest);
-    return c > 0 ? c : (real)0;
+    real bound = 2 * (h->error * k->longest + k->error * h->longest), c = real_max(least, -most) - bound;
+    return bound > 32 * REAL_EPSILON * REAL_LEAST && c > 0 && real_is_finite(c) ? c : (real)0;
 }
 
 /* x* is nearer than `far` (of the pieces' own parameter) to x: false if that may be outside, else *span is

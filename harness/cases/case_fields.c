@@ -94,6 +94,34 @@ bool fields_array(const struct fields *r, const char *field, const json_t *v, in
     return true;
 }
 
+static bool is_among(const char *name, const char *const *known)
+{
+    for (; *known; known++)
+        if (!strcmp(*known, name))
+            return true;
+    return false;
+}
+
+bool fields_are_known(const struct fields *r, const char *where, const json_t *object,
+                      const char *const *known)
+{
+    char field[FIELD_MAX], list[300] = "";
+    const char *name;
+    json_t *value;
+    json_object_foreach((json_t *)object, name, value)
+    {
+        if (is_among(name, known))
+            continue;
+        for (int i = 0; known[i]; i++) {
+            size_t n = strlen(list);
+            snprintf(list + n, sizeof list - n, "%s%s", !i ? "" : known[i + 1] ? ", " : " or ", known[i]);
+        }
+        snprintf(field, sizeof field, "%s%s", where, name);
+        return fields_complain(r, field, "unknown, expected %s", list);
+    }
+    return true;
+}
+
 mpq_t *rationals_new(int n)
 {
     mpq_t *q = memory_new((size_t)n, sizeof *q);

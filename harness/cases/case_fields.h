@@ -37,6 +37,11 @@ bool fields_integer(const struct fields *r, const char *field, const json_t *v, 
 /* An array of `length` entries; of any length if that is negative. */
 bool fields_array(const struct fields *r, const char *field, const json_t *v, int length);
 
+/* Has the object no other fields than `known`, which ends with NULL?  A misspelt one would be a default.
+ * where: what stands before a name in the message, "expected." */
+bool fields_are_known(const struct fields *r, const char *where, const json_t *object,
+                      const char *const *known);
+
 /* Array of n initialised rationals; memory that cannot be had ends the program with status 2. */
 mpq_t *rationals_new(int n);
 void rationals_free(mpq_t *q, int n);

@@ -1,6 +1,7 @@
 /* JSON with short numbers: jansson's own writer prints 17 digits of every double. */
 #include "json_text.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -61,4 +62,9 @@ void json_text_write_string(FILE *stream, const char *text)
     fputs(quoted ? quoted : "null", stream);
     free(quoted);
     json_decref(string);
+}
+
+json_t *json_number_or_null(double a)
+{
+    return isfinite(a) ? json_real(a) : json_null();
 }

@@ -12,6 +12,8 @@ extern "C" {
 void json_text_write(FILE *stream, const json_t *v);         /* no line end */
 void json_text_write_string(FILE *stream, const char *text); /* null where it is not UTF-8 */
 
+json_t *json_number_or_null(double a); /* null where it is not finite */
+
 #ifdef __cplusplus
 }
 #endif

@@ -151,3 +151,21 @@ void workspace_clear(struct workspace *w)
     free(w->cell);
     w->cell = NULL;
 }
+
+struct workspace *workspace_fit(struct fitted_workspace *f, const struct intersector *const *a, int n, int m,
+                                int room)
+{
+    if (n > f->n || m > f->m) {
+        fitted_workspace_clear(f);
+        f->n = n > f->n ? n : f->n;
+        f->m = m > f->m ? m : f->m;
+        workspace_make(&f->workspace, a, f->n, f->m, room);
+    }
+    return &f->workspace;
+}
+
+void fitted_workspace_clear(struct fitted_workspace *f)
+{
+    if (f->n > 0)
+        workspace_clear(&f->workspace);
+}

@@ -26,4 +26,15 @@ void owned_problem_clear(struct owned_problem *p);
 void workspace_make(struct workspace *w, const struct intersector *const *a, int n, int m, int room);
 void workspace_clear(struct workspace *w);
 
+/* One that grows with what it is asked for.  Zeroed: there is none yet. */
+struct fitted_workspace {
+    struct workspace workspace;
+    int n, m; /* it takes curves of these degrees */
+};
+
+/* The workspace, at least as large as workspace_make makes it. */
+struct workspace *workspace_fit(struct fitted_workspace *f, const struct intersector *const *a, int n, int m,
+                                int room);
+void fitted_workspace_clear(struct fitted_workspace *f);
+
 #endif

@@ -1,85 +1,78 @@
 #include "measuring.h"
 
 #include <errno.h>
-#include <fnmatch.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../run/interrupt.h"
 #include "../run/progress.h"
 #include "../run/row.h"
+#include "../run/solving.h"
 
-enum { OK = 0, FAILED = 2, BAD_DATA = 65, INTERRUPTED = 130 };
-enum { ID = 512, ROWS };
-
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int signal_number)
-{
-    (void)signal_number;
-    interrupted = 1;
-}
-
-bool measuring_is_interrupted(void)
-{
-    return interrupted;
-}
+enum { OK = 0, FAILED = 2, BAD_DATA = 65 };
+enum { ROWS = 512 };
 
 static const struct argp_option options[] = {
     {"algorithm", 'a', "LIST", 0, "names or globs, separated by commas; may be repeated (all)", 0},
-    {"id", ID, "GLOB", 0, "only the cases whose id matches", 0},
     {"rows", ROWS, 0, 0, "rows of JSON, after one line on the circumstances, instead of a table", 0},
     {"quiet", 'q', 0, 0, "no progress", 0},
     {0, 0, 0, 0, 0, 0}};
 
-int measuring_count(struct argp_state *state, const char *name, const char *text, int lo, int hi)
-{
-    char *end;
-    long value = strtol(text, &end, 10);
-    if (end == text || *end || value < lo || value > hi)
-        argp_error(state, "--%s: '%s' is not a whole number from %d to %d", name, text, lo, hi);
-    return (int)value;
-}
-
 static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct measuring *m = (struct measuring *)state->input;
-    const char *error = NULL;
     switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &m->cases;
+        state->child_inputs[1] = m;
+        return 0;
     case 'a':
-        error = algorithms_named_add(&m->algorithms, text);
-        break;
-    case ID:
-        m->id = text;
-        break;
+        solving_add(state, &m->algorithms, text);
+        return 0;
     case ROWS:
         m->rows = true;
-        break;
+        return 0;
     case 'q':
         m->quiet = true;
-        break;
-    case ARGP_KEY_ARGS:
-        m->files = state->argv + state->next;
-        m->file_count = state->argc - state->next;
-        break;
+        return 0;
     case ARGP_KEY_END:
         if (m->algorithms.count == 0)
-            error = algorithms_named_add(&m->algorithms, "all");
-        break;
+            solving_add(state, &m->algorithms, "all");
+        return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }
-    if (error)
-        argp_error(state, "%s", error);
-    return 0;
 }
 
-extern const struct argp measuring_argp;
-const struct argp measuring_argp = {options, parse, NULL, NULL, NULL, NULL, NULL};
+void measuring_read(int argc, char **argv, const struct argp *own, const char *documentation,
+                    struct measuring *m)
+{
+    const struct argp_child children[] = {{&selection_argp, 0, 0, 0}, {own, 0, 0, 0}, {0, 0, 0, 0}};
+    const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
+    if (argp_parse(&argp, argc, argv, 0, NULL, m))
+        exit(64);
+}
 
+bool measuring_problem(const struct test_case *c, real tolerance, int max_steps, struct owned_problem *p)
+{
+    const char *why_not = owned_problem_make(c, tolerance, max_steps, p);
+    if (why_not)
+        progress_note("%s:%d: %s", c->file, c->line_number, why_not);
+    return !why_not;
+}
+
+bool measuring_solutions(struct test_case *c, int digits, double seconds, struct known_solutions *known)
+{
+    const char *why_not = known_solutions_make(c, digits, seconds, known);
+    if (why_not)
+        progress_note("%s:%d: %s: no solutions: %s", c->file, c->line_number, c->id, why_not);
+    return !why_not;
+}
+
+/* taken: counts the cases that are asked for. */
 static int measure_stream(const struct measuring *m, FILE *stream, const char *name,
-                          bool (*measure)(void *data, struct test_case *c), void *data)
+                          bool (*measure)(void *data, struct test_case *c), void *data, long *taken)
 {
     struct case_reader reader;
     struct test_case c;
@@ -92,7 +85,8 @@ static int measure_stream(const struct measuring *m, FILE *stream, const char *n
             worst = BAD_DATA;
             continue;
         }
-        if (!m->id || !fnmatch(m->id, c.id, 0)) {
+        if (selection_takes(&m->cases, &c)) {
+            ++*taken;
             if (!measure(data, &c))
                 worst = worst == OK ? BAD_DATA : worst;
             progress_step();
@@ -104,14 +98,14 @@ static int measure_stream(const struct measuring *m, FILE *stream, const char *n
 }
 
 static int measure_file(const struct measuring *m, const char *path,
-                        bool (*measure)(void *data, struct test_case *c), void *data)
+                        bool (*measure)(void *data, struct test_case *c), void *data, long *taken)
 {
     FILE *stream = strcmp(path, "-") ? fopen(path, "r") : stdin;
     if (!stream) {
         progress_note("%s: %s", path, strerror(errno));
         return FAILED;
     }
-    int status = measure_stream(m, stream, stream == stdin ? "stdin" : path, measure, data);
+    int status = measure_stream(m, stream, stream == stdin ? "stdin" : path, measure, data, taken);
     if (stream != stdin)
         fclose(stream);
     return status;
@@ -120,22 +114,20 @@ static int measure_file(const struct measuring *m, const char *path,
 int measuring_run(const struct measuring *m, int argc, char **argv,
                   bool (*measure)(void *data, struct test_case *c), void *data)
 {
-    struct sigaction action;
+    long taken = 0;
     int worst = OK;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = interrupt;
-    action.sa_flags = SA_RESETHAND; /* the second signal ends the program at once */
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    interrupt_watch(NULL);
     if (m->rows)
         row_write(stdout, row_environment(argc, argv, REAL_NAME));
     progress_set_quiet(m->quiet);
     progress_begin(argv[0], 0);
-    for (int i = 0; i < (m->file_count ? m->file_count : 1) && !interrupted && worst != FAILED; i++) {
-        int status = measure_file(m, m->file_count ? m->files[i] : "-", measure, data);
+    for (int i = 0; i < selection_files(&m->cases) && !interrupted && worst != FAILED; i++) {
+        int status = measure_file(m, selection_file(&m->cases, i), measure, data, &taken);
         worst = status != OK ? status : worst;
     }
     progress_end();
+    if (worst == OK && !interrupted && !taken)
+        worst = selection_complain(&m->cases, argv[0]);
     if (fflush(stdout) || ferror(stdout)) {
         fprintf(stderr, "%s: standard output cannot be written\n", argv[0]);
         return FAILED;
@@ -146,4 +138,5 @@ int measuring_run(const struct measuring *m, int argc, char **argv,
 void measuring_clear(struct measuring *m)
 {
     algorithms_named_clear(&m->algorithms);
+    selection_clear(&m->cases);
 }

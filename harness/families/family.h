@@ -47,6 +47,8 @@ void family_write(FILE *stream, const struct draft *d, const char *family, uint6
 /* A parameter k/c, 1/5 <= k/c <= 4/5, whose powers up to `degree` stay below 2^(budget): c is a power of two
  * in every second case, else any number. */
 void random_parameter(fmpq_t t, struct request *r, int degree, int budget);
+/* One on each curve; both are initialised here. */
+void random_places(fmpq_t t, fmpq_t s, struct request *r, int budget);
 /* k 2^-bits, |k| <= 2^bits size, k != 0. */
 void random_dyadic(fmpq_t a, struct request *r, int size, int bits);
 bool random_coin(struct request *r);

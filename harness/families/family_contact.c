@@ -119,10 +119,7 @@ static bool make_inner_contact(struct draft *d, struct request *r, int order, en
 {
     fmpq_t t, s;
     bool good;
-    fmpq_init(t);
-    fmpq_init(s);
-    random_parameter(t, r, r->n, 30);
-    random_parameter(s, r, r->m, 30);
+    random_places(t, s, r, 30);
     good = make_contact(d, r, t, s, order, sides);
     fmpq_clear(t);
     fmpq_clear(s);
@@ -154,10 +151,7 @@ bool family_endpoint_tangent(struct draft *d, struct request *r)
 {
     fmpq_t t, s;
     bool good;
-    fmpq_init(t);
-    fmpq_init(s);
-    random_parameter(t, r, r->n, 30);
-    random_parameter(s, r, r->m, 30);
+    random_places(t, s, r, 30);
     if (r->index % 3 != 1)
         fmpq_set_si(t, random_coin(r), 1);
     if (r->index % 3 != 0)

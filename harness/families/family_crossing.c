@@ -22,10 +22,7 @@ bool family_nice(struct draft *d, struct request *r)
 {
     fmpq_t t, s;
     bool good;
-    fmpq_init(t);
-    fmpq_init(s);
-    random_parameter(t, r, r->n, r->weights ? 14 : 34);
-    random_parameter(s, r, r->m, r->weights ? 14 : 34);
+    random_places(t, s, r, r->weights ? 14 : 34);
     good = cross_at(d, r, t, s, "transversal");
     fmpq_clear(t);
     fmpq_clear(s);
@@ -37,10 +34,7 @@ bool family_endpoint(struct draft *d, struct request *r)
 {
     fmpq_t t, s;
     bool good;
-    fmpq_init(t);
-    fmpq_init(s);
-    random_parameter(t, r, r->n, r->weights ? 14 : 34);
-    random_parameter(s, r, r->m, r->weights ? 14 : 34);
+    random_places(t, s, r, r->weights ? 14 : 34);
     fmpq_set_si(r->index & 2 ? s : t, r->index & 1, 1);
     good = cross_at(d, r, t, s, "endpoint");
     fmpq_clear(t);

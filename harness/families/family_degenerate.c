@@ -12,10 +12,7 @@ static bool cusp_on_g(const struct request *r)
 static bool meet_cusp(struct draft *d, struct request *r, int x_from, int y_from, int multiplicity)
 {
     fmpq_t t, s;
-    fmpq_init(t);
-    fmpq_init(s);
-    random_parameter(t, r, r->n, 32);
-    random_parameter(s, r, r->m, 32);
+    random_places(t, s, r, 32);
     if (cusp_on_g(r)) {
         random_local(&d->g, r, s, 2, 3);
         random_local(&d->f, r, t, x_from, y_from);
@@ -53,10 +50,7 @@ bool family_two_cusps(struct draft *d, struct request *r)
 static bool double_ends(struct draft *d, struct request *r)
 {
     fmpq_t t, s;
-    fmpq_init(t);
-    fmpq_init(s);
-    random_parameter(t, r, r->n, r->weights ? 14 : 34);
-    random_parameter(s, r, r->m, r->weights ? 14 : 34);
+    random_places(t, s, r, r->weights ? 14 : 34);
     if (r->weights) {
         random_weights(&d->f, r);
         random_weights(&d->g, r);

@@ -27,6 +27,14 @@ void random_parameter(fmpq_t t, struct request *r, int degree, int budget)
     fmpq_canonicalise(t);
 }
 
+void random_places(fmpq_t t, fmpq_t s, struct request *r, int budget)
+{
+    fmpq_init(t);
+    fmpq_init(s);
+    random_parameter(t, r, r->n, budget);
+    random_parameter(s, r, r->m, budget);
+}
+
 void random_weights(struct points *p, struct request *r)
 {
     for (int i = 1; i <= p->degree; i++)

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "answer.h"
+#include "../cases/json_text.h"
 #include "../truth/exact.h"
 #include "../run/guard.h"
 #include "judge_points.h"
@@ -25,29 +26,19 @@ const char *checker_open(struct checker *k, const struct check_options *o)
     k->crossings = (struct crossings *)malloc(sizeof *k->crossings);
     if (!k->crossings)
         return "out of memory";
-    guard_set_timeout(o->timeout);
-    return o->external ? external_start(&k->external, o->external, o->timeout, (real)o->tolerance) : NULL;
+    guard_set_timeout(o->solving.timeout);
+    if (!o->solving.external)
+        return NULL;
+    return external_start(&k->external, o->solving.external, o->solving.timeout, (real)o->tolerance);
 }
 
 void checker_close(struct checker *k)
 {
     guard_end();
-    if (k->options->external)
+    if (k->options->solving.external)
         external_stop(&k->external);
-    if (k->n > 0)
-        workspace_clear(&k->workspace);
+    fitted_workspace_clear(&k->memory);
     free(k->crossings);
-}
-
-static void fit_workspace(struct checker *k, int n, int m)
-{
-    if (n <= k->n && m <= k->m)
-        return;
-    if (k->n > 0)
-        workspace_clear(&k->workspace);
-    k->n = n > k->n ? n : k->n;
-    k->m = m > k->m ? m : k->m;
-    workspace_make(&k->workspace, k->options->algorithms.at, k->n, k->m, k->options->room);
 }
 
 __attribute__((format(printf, 2, 3))) static void note(json_t *reply, const char *format, ...)
@@ -60,11 +51,6 @@ __attribute__((format(printf, 2, 3))) static void note(json_t *reply, const char
 
 /* ---- rows ------------------------------------------------------------------------------------------------
  */
-
-static json_t *number_or_null(double a)
-{
-    return isfinite(a) ? json_real(a) : json_null();
-}
 
 /* The largest of the case's condition numbers; NAN: none is known. */
 static double worst_condition(const struct test_case *c)
@@ -79,8 +65,8 @@ static json_t *row_of(const struct test_case *c, const struct answer *a, const s
                       double tol)
 {
     json_t *row = json_pack("{s:s,s:s,s:s,s:s,s:o,s:s,s:s}", "id", c->id, "class", c->class_name, "algorithm",
-                            a->algorithm, "precision", REAL_NAME, "tolerance", number_or_null(tol), "outcome",
-                            outcome_name(a->outcome), "verdict", verdict_name(v->verdict));
+                            a->algorithm, "precision", REAL_NAME, "tolerance", json_number_or_null(tol),
+                            "outcome", outcome_name(a->outcome), "verdict", verdict_name(v->verdict));
     const struct {
         const char *name;
         int value;
@@ -89,8 +75,8 @@ static json_t *row_of(const struct test_case *c, const struct answer *a, const s
                   {"undecided", v->undecided}};
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
         json_object_set_new(row, counts[i].name, json_integer(counts[i].value));
-    json_object_set_new(row, "max_error", number_or_null(v->max_error));
-    json_object_set_new(row, "cond", number_or_null(worst_condition(c)));
+    json_object_set_new(row, "max_error", json_number_or_null(v->max_error));
+    json_object_set_new(row, "cond", json_number_or_null(worst_condition(c)));
     json_object_set_new(row, "ambiguous", json_boolean(c->ambiguous));
     json_object_set_new(row, "steps", json_integer(a->steps));
     if (a->points_only)
@@ -171,20 +157,21 @@ static double solve(struct checker *k, const struct problem *p, struct answer *a
     double best = HUGE_VAL;
     for (int i = 0; i < (k->options->strict ? 3 : 1) && best > k->slowest; i++) {
         double from = clock_now(false);
-        a->outcome = guard_solve(p, algorithm, &k->workspace, k->crossings);
+        a->outcome = guard_solve(p, algorithm, &k->memory.workspace, k->crossings);
         best = fmin(best, clock_now(false) - from);
     }
     k->slowest = k->options->strict ? fmax(k->slowest, best) : 0;
-    a->steps = k->workspace.steps;
+    a->steps = k->memory.workspace.steps;
     return best;
 }
 
 static void run_algorithms(struct checker *k, const struct test_case *c, const struct problem *p, double tol,
                            json_t *reply)
 {
-    fit_workspace(k, p->f.degree, p->g.degree);
-    for (int i = 0; i < k->options->algorithms.count; i++) {
-        const struct intersector *algorithm = k->options->algorithms.at[i];
+    workspace_fit(&k->memory, k->options->solving.algorithms.at, p->f.degree, p->g.degree,
+                  k->options->solving.room);
+    for (int i = 0; i < k->options->solving.algorithms.count; i++) {
+        const struct intersector *algorithm = k->options->solving.algorithms.at[i];
         struct answer a = {c->id, algorithm->name,        (real)tol,   INVALID,
                            0,     algorithm->points_only, k->crossings};
         double ns = solve(k, p, &a, algorithm);
@@ -229,14 +216,14 @@ json_t *checker_run(struct checker *k, struct test_case *c)
     find_truth(k->options, c, reply);
     double tol = case_tolerance(c, k->options->tolerance);
     double asked = REAL_BITS == 53 ? tol : k->options->tolerance;
-    const char *why_not = owned_problem_make(c, (real)asked, k->options->max_steps, &owned);
+    const char *why_not = owned_problem_make(c, (real)asked, k->options->solving.max_steps, &owned);
     if (why_not) {
         note(reply, "%s:%d: %s", c->file, c->line_number, why_not);
         json_object_set_new(reply, "bad", json_true());
         return reply;
     }
     run_algorithms(k, c, &owned.problem, tol, reply);
-    if (k->options->external)
+    if (k->options->solving.external)
         run_external(k, c, &owned.problem, tol, reply);
     owned_problem_clear(&owned);
     return reply;

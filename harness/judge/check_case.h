@@ -4,14 +4,13 @@
 
 #include <jansson.h>
 
-#include "../cases/case.h"
+#include "../cases/problem.h"
 #include "check_options.h"
 #include "../run/external.h"
 
 struct checker {
     const struct check_options *options;
-    struct workspace workspace;
-    int n, m; /* the workspace takes curves of these degrees; 0: there is none */
+    struct fitted_workspace memory;
     struct crossings *crossings;
     struct external external;
     double slowest; /* of the pairs so far, ns; with --strict */

@@ -1,13 +1,15 @@
 #include "check_estimate.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "check_case.h"
 #include "check_worker.h"
 
-enum { SAMPLE = 20 };
+enum { SAMPLE = 20, FAILED = 2 };
 
 static double seconds(void)
 {
@@ -16,44 +18,82 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Every `stride`th line of the file; how many were checked. */
-static int check_some(struct checker *k, const char *path, long stride, long *line)
+/* Calls `take` with every case of the files that is asked for; bad lines are passed over.  0 or an exit
+ * status. */
+static int each_case(const struct check_options *o, void (*take)(void *data, struct test_case *c), void *data)
 {
-    FILE *stream = check_open_cases(path);
+    struct sampler sampler;
     char *text = NULL, error[512];
     size_t size = 0;
-    int checked = 0;
-    while (stream && getline(&text, &size, stream) >= 0) {
-        struct test_case c;
-        if (check_line_is_blank(text) || (*line)++ % stride ||
-            case_parse(text, path, 0, &c, error) != CASE_READ)
-            continue;
-        json_decref(checker_run(k, &c));
-        case_clear(&c);
-        checked++;
+    int status = 0;
+    sampler_begin(&sampler, o);
+    for (int i = 0; i < selection_files(&o->cases); i++) {
+        const char *path = selection_file(&o->cases, i);
+        FILE *stream = check_open_cases(path);
+        if (!stream) {
+            fprintf(stderr, "%s: %s\n", path, strerror(errno));
+            status = FAILED;
+        }
+        while (stream && getline(&text, &size, stream) >= 0) {
+            struct test_case c;
+            if (check_line_is_blank(text) || case_parse(text, path, 0, &c, error) != CASE_READ)
+                continue;
+            if (sampler_takes(&sampler, &c))
+                take(data, &c);
+            case_clear(&c);
+        }
+        if (stream)
+            fclose(stream);
     }
+    sampler_end(&sampler);
     free(text);
-    if (stream)
-        fclose(stream);
-    return checked;
+    return status;
 }
 
-int check_estimate(const struct check_options *o, long lines)
+static void count(void *data, struct test_case *c)
 {
-    struct checker k;
-    const char *error = checker_open(&k, o);
+    (void)c;
+    ++*(long *)data;
+}
+
+/* Every `stride`th case is checked. */
+struct trial {
+    struct checker checker;
+    long stride, seen;
+    int checked;
+};
+
+static void try_case(void *data, struct test_case *c)
+{
+    struct trial *t = (struct trial *)data;
+    if (t->seen++ % t->stride)
+        return;
+    json_decref(checker_run(&t->checker, c));
+    t->checked++;
+}
+
+int check_estimate(const struct check_options *o)
+{
+    struct trial t;
+    long cases = 0;
+    int status = each_case(o, count, &cases);
+    if (status)
+        return status;
+    if (!cases)
+        return selection_complain(&o->cases, "fatline check");
+    memset((void *)&t, 0, sizeof t);
+    t.stride = (cases + SAMPLE - 1) / SAMPLE;
+    const char *error = checker_open(&t.checker, o);
     double start = seconds();
-    long stride = (lines + SAMPLE - 1) / SAMPLE, line = 0;
-    int checked = 0;
     if (error) {
         fprintf(stderr, "fatline check: %s\n", error);
-        return 2;
+        return FAILED;
     }
-    for (int i = 0; i < (o->file_count ? o->file_count : 1); i++)
-        checked += check_some(&k, o->file_count ? o->files[i] : "-", stride > 0 ? stride : 1, &line);
-    double each = checked ? (seconds() - start) / checked : 0;
-    printf("%ld cases, %d algorithms: about %.1f s in %d processes (from %d cases)\n", lines,
-           o->algorithms.count + (o->external != NULL), each * (double)lines / o->jobs, o->jobs, checked);
-    checker_close(&k);
+    each_case(o, try_case, &t);
+    double each = t.checked ? (seconds() - start) / t.checked : 0;
+    printf("%ld cases, %d algorithms: about %.1f s in %d processes (from %d cases)\n", cases,
+           o->solving.algorithms.count + (o->solving.external != NULL), each * (double)cases / o->jobs,
+           o->jobs, t.checked);
+    checker_close(&t.checker);
     return 0;
 }

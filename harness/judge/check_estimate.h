@@ -4,8 +4,8 @@
 
 #include "check_options.h"
 
-/* Checks a few cases and writes how many there are (`lines`) and about how long they would take.  An exit
- * status. */
-int check_estimate(const struct check_options *o, long lines);
+/* Checks a few of the cases that are asked for and writes how many there are and about how long they would
+ * take. An exit status. */
+int check_estimate(const struct check_options *o);
 
 #endif

@@ -1,7 +1,6 @@
 #include "check_worker.h"
 
 #include <errno.h>
-#include <fnmatch.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,12 +32,32 @@ bool check_line_is_blank(const char *text)
     return text[strspn(text, " \t\r\n")] == 0;
 }
 
+void sampler_begin(struct sampler *s, const struct check_options *o)
+{
+    s->options = o;
+    s->seen = json_object();
+}
+
+bool sampler_takes(struct sampler *s, const struct test_case *c)
+{
+    if (!selection_takes(&s->options->cases, c))
+        return false;
+    json_int_t seen = json_integer_value(json_object_get(s->seen, c->class_name));
+    json_object_set_new(s->seen, c->class_name, json_integer(seen + 1));
+    return seen % s->options->sample == 0;
+}
+
+void sampler_end(struct sampler *s)
+{
+    json_decref(s->seen);
+}
+
 struct worker {
     struct checker checker;
     const struct check_options *options;
-    int number;       /* 0 .. options->jobs - 1 */
-    long lines;       /* of all files so far */
-    json_t *of_class; /* cases seen of each class */
+    int number; /* 0 .. options->jobs - 1 */
+    long lines; /* of all files so far */
+    struct sampler sampler;
     FILE *to;
 };
 
@@ -65,18 +84,6 @@ static bool is_done(const struct check_options *o, const struct test_case *c)
     return done;
 }
 
-/* Counts the case if it is of those asked for. */
-static bool is_selected(struct worker *w, const struct test_case *c)
-{
-    const struct check_options *o = w->options;
-    if ((o->filter && regexec(&o->regex, c->id, 0, NULL, 0)) || (o->id && fnmatch(o->id, c->id, 0)) ||
-        (o->class_name && strcmp(o->class_name, c->class_name)))
-        return false;
-    json_int_t seen = json_integer_value(json_object_get(w->of_class, c->class_name));
-    json_object_set_new(w->of_class, c->class_name, json_integer(seen + 1));
-    return seen % o->sample == 0 && !is_done(o, c);
-}
-
 /* Every worker counts the classes; only one replies. False if nobody listens any more. */
 static bool take_line(struct worker *w, const char *text, const char *file, int line_number)
 {
@@ -89,7 +96,7 @@ static bool take_line(struct worker *w, const char *text, const char *file, int 
         return true;
     enum case_status status = case_parse(text, file, line_number, &c, error);
     if (status == CASE_READ)
-        selected = is_selected(w, &c);
+        selected = sampler_takes(&w->sampler, &c) && !is_done(w->options, &c);
     if (mine && status != CASE_READ)
         reply = json_pack("{s:b,s:[s]}", "bad", 1, "notes", error);
     else if (mine)
@@ -132,20 +139,17 @@ static bool take_file(struct worker *w, const char *path)
 
 int check_work(const struct check_options *o, int number, FILE *to)
 {
-    static char dash[] = "-";
-    static char *const only[] = {dash};
     struct worker w = {.options = o, .number = number, .to = to};
-    char *const *files = o->file_count ? o->files : only;
     const char *error = checker_open(&w.checker, o);
     if (error) {
         fprintf(stderr, "fatline check: %s\n", error);
         return 2;
     }
-    w.of_class = json_object();
-    for (int i = 0; i < (o->file_count ? o->file_count : 1); i++)
-        if (!take_file(&w, files[i]))
+    sampler_begin(&w.sampler, o);
+    for (int i = 0; i < selection_files(&o->cases); i++)
+        if (!take_file(&w, selection_file(&o->cases, i)))
             break;
     checker_close(&w.checker);
-    json_decref(w.of_class);
+    sampler_end(&w.sampler);
     return fclose(to) ? 2 : 0;
 }

@@ -13,6 +13,17 @@
 #include "../cases/case.h"
 #include "check_options.h"
 
+/* Which cases are asked for: of those that the options let through one in so many of each class, in the order
+ * of the lines. */
+struct sampler {
+    const struct check_options *options;
+    json_t *seen; /* cases of each class so far */
+};
+
+void sampler_begin(struct sampler *s, const struct check_options *o);
+bool sampler_takes(struct sampler *s, const struct test_case *c);
+void sampler_end(struct sampler *s);
+
 /* Standard input is read once, before there are workers. */
 void check_load_standard_input(void);
 /* The lines of a file; "-": of standard input.  NULL: errno says why. */

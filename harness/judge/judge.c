@@ -68,7 +68,7 @@ static void weigh(struct court *q)
         if (r->standing != CLUSTER || g->overlaps)
             continue;
         weigh_cluster(q, r, &least, &most);
-        g->refuted = g->refuted || r->at_most < least || (most == 0 && r->at_most > 1);
+        g->refuted = g->refuted || r->at_most < least;
         g->loose = g->loose || (most > 0 && r->at_most > most + 1);
     }
 }
@@ -174,7 +174,7 @@ static void judge_groups(struct court *q)
         if (g->overlaps) {
             q->verdict.undecided++;
         } else if (!g->holds) {
-            court_empty(q, &g->at, g->uniques || g->refuted);
+            court_empty(q, &g->at, g->uniques > 0);
         } else {
             q->verdict.undecided += g->loose && !g->refuted;
             q->verdict.merged += q->solved && !box_fits(&g->at, 4 * q->tol);

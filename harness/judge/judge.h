@@ -4,9 +4,10 @@
  * is found if a group, widened by tol, contains it and no side of the group exceeds 4 tol; a larger group is
  * `merged`.  A CLUSTER whose at_most is less than the sum of the multiplicities it holds is not right: what
  * it holds is missed.  at_most is an upper bound: where it exceeds that sum by more than 1, the group counts
- * as undecided beside.  A group without a solution is `extra` if it holds a UNIQUE or a CLUSTER of more than
- * 1, or if the curves are farther apart over it than tol times size (the largest extent of the pair's control
- * points), proved; else `undecided`.  A second UNIQUE at one simple solution is a `duplicate`.
+ * as undecided beside.  A group without a solution is `extra` if it holds a UNIQUE, or if the curves are
+ * farther apart over it than tol times size (the largest extent of the pair's control points), proved; else
+ * `undecided`, also if it holds a CLUSTER, which promises no solution.  A second UNIQUE at one simple
+ * solution is a `duplicate`.
  *
  * OUT_OF_STEPS and OUT_OF_ROOM are counted apart, never right: there a solution is missed only if no record
  * widened by tol contains it; large records and those far from a solution are merely undecided; a UNIQUE

@@ -39,21 +39,33 @@ static double middle(const struct interval *i)
     return real_to_double((i->lo + i->hi) / 2);
 }
 
+static void add_point(struct match *m, const struct interval *t, const struct interval *s)
+{
+    struct point *to = &m->point[m->points++];
+    to->t = middle(t);
+    to->s = middle(s);
+}
+
+/* What holds exactly one solution is a point of its own, however near another is; of records that prove less
+ * and touch, one. */
 static void read_points(struct match *m)
 {
+    const struct crossings *found = m->a->crossings;
     struct grouping g;
-    m->point = (struct point *)memory_new((size_t)m->a->crossings->count + 1, sizeof *m->point);
-    if (m->a->points_only) {
-        for (int i = 0; i < m->a->crossings->count; i++, m->points++) {
-            m->point[i].t = middle(&m->a->crossings->at[i].t);
-            m->point[i].s = middle(&m->a->crossings->at[i].s);
+    m->point = (struct point *)memory_new((size_t)found->count + 1, sizeof *m->point);
+    for (int i = 0; i < found->count; i++) {
+        if (m->a->points_only || found->at[i].standing == UNIQUE) {
+            add_point(m, &found->at[i].t, &found->at[i].s);
         }
+    }
+    if (m->a->points_only) {
         return;
     }
     grouping_make(m->a, m->a->tolerance, &g);
-    for (int i = 0; i < g.groups; i++, m->points++) {
-        m->point[i].t = middle(&g.group[i].at.t);
-        m->point[i].s = middle(&g.group[i].at.s);
+    for (int i = 0; i < g.groups; i++) {
+        if (g.group[i].uniques == 0) {
+            add_point(m, &g.group[i].at.t, &g.group[i].at.s);
+        }
     }
     grouping_clear(&g);
 }

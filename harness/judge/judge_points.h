@@ -1,10 +1,11 @@
 /* Compares points with the truth, one to one: for algorithms that report roots as numbers, without intervals.
  * Compiled for each precision.
  *
- * What an algorithm says of one place (records that touch after widening by its tolerance, unless it reports
- * only points) is a point, the middle.  Points and solutions within `reach` of each other in both parameters
- * are paired, the nearest first, each once.  A solution without a point is missed; a point without a solution
- * is a duplicate where it is within reach of one, else extra, unless it lies on an expected overlap.
+ * What an algorithm says of one place is a point, the middle: each record that proves exactly one solution,
+ * or, where there is none, records that touch after widening by its tolerance; if it reports only points,
+ * each. Points and solutions within `reach` of each other in both parameters are paired, the nearest first,
+ * each once.  A solution without a point is missed; a point without a solution is a duplicate where it is
+ * within reach of one, else extra, unless it lies on an expected overlap.
  *
  * An expected overlap is found if the answer says so in any way, and `overlap` tells how:
  *   ends        an overlap with its ends, within reach of the true ones

@@ -1,12 +1,11 @@
 #include "path_options.h"
 
-#include <argp.h>
-#include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "../cases/number.h"
+#include "../run/options.h"
+#include "../run/solving.h"
 
 enum { TOLERANCE = 256, MAX_STEPS, RANDOM, SEED, ALONE, PRINT, TIME, ROUNDS, BESIDE };
 enum { SEGMENTS_MAX = 100000000 };
@@ -39,27 +38,8 @@ static const char documentation[] =
     "taken.  "
     "datasets/README.md has the grammar, results/README.md the rows.\n\n"
     "Example: fatline paths --random 1000 --seed 1\n\n"
-    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data, 130 when interrupted.";
-
-static long read_count(struct argp_state *state, const char *name, const char *text, long most)
-{
-    char *end;
-    errno = 0;
-    long n = strtol(text, &end, 10);
-    if (end == text || *end || errno || n < 1 || n > most)
-        argp_error(state, "%s: \"%s\", expected an integer from 1 to %ld", name, text, most);
-    return n;
-}
-
-static uint64_t read_seed(struct argp_state *state, const char *text)
-{
-    char *end;
-    errno = 0;
-    uint64_t seed = strtoull(text, &end, 10);
-    if (*text < '0' || *text > '9' || *end || errno)
-        argp_error(state, "--seed: \"%s\", expected an integer from 0 to 18446744073709551615", text);
-    return seed;
-}
+    "Exit status: 0, 2 on an input or output error, 64 on wrong usage, 65 on bad data or no path, 130 when "
+    "interrupted.";
 
 static void add_file(struct path_options *o, char *file, struct argp_state *state)
 {
@@ -70,14 +50,17 @@ static void add_file(struct path_options *o, char *file, struct argp_state *stat
 
 static void finish(const struct path_options *o, struct argp_state *state)
 {
+    const struct path_options_given *given = &o->given;
     if (!o->random == !o->files[0])
         argp_error(state, "expected either files or --random");
     if (o->alone && !o->random)
         argp_error(state, "--self goes with --random; of one file every path is taken with itself");
-    if (o->print && o->time)
-        argp_error(state, "either --print or --time");
-    if (!o->time && (o->beside || o->rounds != 9))
-        argp_error(state, "--beside and --rounds go with --time");
+    option_needs(state, given->seed, "--seed", o->random, "--random");
+    option_excludes(state, o->print, "--print", o->time, "--time");
+    option_excludes(state, o->print, "--print", given->tolerance, "--tolerance");
+    option_excludes(state, o->print, "--print", given->max_steps, "--max-steps");
+    option_needs(state, o->beside, "--beside", o->time, "--time");
+    option_needs(state, given->rounds, "--rounds", o->time, "--time");
     if (o->beside && !intersector_find(o->beside))
         argp_error(state, "--beside: no algorithm %s; `fatline list` has their names", o->beside);
     if (o->files[1] && !strcmp(o->files[0], "-") && !strcmp(o->files[1], "-"))
@@ -89,20 +72,23 @@ static error_t parse(int key, char *text, struct argp_state *state)
     struct path_options *o = (struct path_options *)state->input;
     switch (key) {
     case TOLERANCE:
-        if (!real_parse(text, &o->tolerance) || !(o->tolerance > 0))
-            argp_error(state, "--tolerance: \"%s\", expected a number > 0", text);
+        o->tolerance = option_tolerance(state, text);
+        o->given.tolerance = true;
         break;
     case MAX_STEPS:
-        o->max_steps = (int)read_count(state, "--max-steps", text, INT_MAX);
+        o->max_steps = option_integer(state, "--max-steps", text, 1, INT_MAX);
+        o->given.max_steps = true;
         break;
     case RANDOM:
-        o->random = (int)read_count(state, "--random", text, SEGMENTS_MAX);
+        o->random = option_integer(state, "--random", text, 1, SEGMENTS_MAX);
         break;
     case SEED:
-        o->seed = read_seed(state, text);
+        o->seed = option_seed(state, "--seed", text);
+        o->given.seed = true;
         break;
     case ROUNDS:
-        o->rounds = (int)read_count(state, "--rounds", text, 1000);
+        o->rounds = option_integer(state, "--rounds", text, 1, 1000);
+        o->given.rounds = true;
         break;
     case BESIDE:
         o->beside = text;
@@ -132,7 +118,7 @@ void path_options_read(int argc, char **argv, struct path_options *o)
 {
     static const struct argp argp = {options, parse, "A [B]", documentation, 0, 0, 0};
     memset((void *)o, 0, sizeof *o);
-    real_parse("1e-10", &o->tolerance);
+    o->tolerance = (real)1 / 10000000000LL;
     o->max_steps = STEPS_MAX;
     o->seed = 1;
     o->rounds = 9;

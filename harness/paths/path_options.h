@@ -6,6 +6,11 @@
 
 #include "../../algorithms/bezier.h"
 
+/* Options that say nothing of others without them. */
+struct path_options_given {
+    bool tolerance, max_steps, seed, rounds;
+};
+
 struct path_options {
     char *files[2]; /* NULL: none */
     const char *output;
@@ -16,6 +21,7 @@ struct path_options {
     bool alone, print, time, quiet;
     int rounds;
     const char *beside; /* name of another algorithm, or NULL */
+    struct path_options_given given;
 };
 
 /* Ends the program with status 64 where the command line is wrong. */

@@ -85,12 +85,15 @@ static bool add_curve(const struct case_curve *c, struct path_draft *d)
 /* {"points", "weights", ...} as f of a case, over [0, 1]. */
 static bool read_object(const struct fields *r, const char *name, const json_t *v, struct path_draft *d)
 {
+    static const char *const known[] = {"points", "degree", "weights", "f64", "w64", "domain", NULL};
+    char where[FIELD_MAX];
     struct case_curve c;
     bool good;
 
     memset(&c, 0, sizeof c);
     mpq_inits(c.lo, c.hi, NULL);
-    good = case_curve_read(r, name, v, &c);
+    snprintf(where, sizeof where, "%s.", name);
+    good = fields_are_known(r, where, v, known) && case_curve_read(r, name, v, &c);
     if (good && (mpq_sgn(c.lo) != 0 || mpq_cmp_ui(c.hi, 1, 1) != 0))
         good = fields_complain(r, name, "a domain, expected none (a segment runs over [0, 1])");
     if (good && !add_curve(&c, d))
@@ -137,11 +140,14 @@ static bool read_path(const struct fields *r, const json_t *line, struct path_se
 {
     const json_t *id = json_object_get(line, "id"), *data = json_object_get(line, "d"),
                  *segments = json_object_get(line, "segments");
+    static const char *const known[] = {"id", "segments", "d", "note", NULL};
     struct path_draft d;
 
     if (!json_is_object(line))
         return fields_complain(r, "line", "%s, expected an object with id and segments or d",
                                fields_type(line));
+    if (!fields_are_known(r, "", line, known))
+        return false;
     if (!json_is_string(id))
         return fields_complain(r, "id", "%s, expected text", fields_type(id));
     if (!*json_string_value(id) || strlen(json_string_value(id)) > ID_MAX)
@@ -336,59 +342,4 @@ int path_set_read(struct path_set *set, const char *file)
         status = read_lines(set, file, text);
     free(text);
     return status;
-}
-
-/* ---- writing ---- */
-
-static void write_number(FILE *stream, real a)
-{
-    char text[REAL_TEXT_MAX];
-    const char *quote = REAL_BITS > 53 ? "\"" : "";
-
-    real_text(a, text, sizeof text);
-    fprintf(stream, "%s%s%s", quote, text, quote);
-}
-
-static void write_points(FILE *stream, const struct curve *c)
-{
-    fputc('[', stream);
-    for (int i = 0; i <= c->degree; i++) {
-        fputs(i ? ",[" : "[", stream);
-        write_number(stream, c->w ? c->x[i] / c->w[i] : c->x[i]);
-        fputc(',', stream);
-        write_number(stream, c->w ? c->y[i] / c->w[i] : c->y[i]);
-        fputc(']', stream);
-    }
-    fputc(']', stream);
-}
-
-static void write_segment(FILE *stream, const struct curve *c)
-{
-    if (!c->w) {
-        write_points(stream, c);
-        return;
-    }
-    fputs("{\"points\":", stream);
-    write_points(stream, c);
-    fputs(",\"weights\":[", stream);
-    for (int i = 0; i <= c->degree; i++) {
-        fputs(i ? "," : "", stream);
-        write_number(stream, c->w[i]);
-    }
-    fputs("]}", stream);
-}
-
-void path_write(FILE *stream, const struct loaded_path *p)
-{
-    json_t *id = json_string(p->id);
-    char *quoted = id ? json_dumps(id, JSON_ENCODE_ANY) : NULL;
-
-    fprintf(stream, "{\"id\":%s,\"segments\":[", quoted ? quoted : "\"?\"");
-    for (int i = 0; i < p->path.count; i++) {
-        fputs(i ? "," : "", stream);
-        write_segment(stream, &p->path.segment[i]);
-    }
-    fputs("]}\n", stream);
-    free(quoted);
-    json_decref(id);
 }

@@ -203,26 +203,24 @@ static bool read_id(const struct fields *r, const json_t *line, struct region_ca
     return true;
 }
 
-/* A misspelt field would be a default. */
-static bool check_names(const struct fields *r, json_t *line)
+/* Of `expected`, the first line is what --check reads; the rest is for readers. */
+static bool check_names(const struct fields *r, const json_t *line)
 {
-    static const char *const known[] = {"id",       "note",  "degree",   "knots", "points",
-                                        "weights",  "free",  "interval", "sign",  "loop_free",
-                                        "expected", "check", NULL};
-    const char *name;
-    json_t *value;
-    json_object_foreach(line, name, value)
-    {
-        int i = 0;
-        while (known[i] && strcmp(known[i], name))
-            i++;
-        if (!known[i])
-            return fields_complain(
-                r, name,
-                "unknown, expected id, degree, knots, points, weights, free, interval, sign, "
-                "loop_free, note, check or expected");
-    }
-    return true;
+    static const char *const known[] = {"id",    "degree",   "knots", "points",    "weights",
+                                        "free",  "interval", "sign",  "loop_free", "note",
+                                        "check", "expected", NULL};
+    static const char *const known_expected[] = {
+        "kind",       "closed_kind",     "closed",         "strict_nonempty",
+        "edges_ccw",  "vertices",        "vertices_exact", "area",
+        "area_exact", "inside",          "outside",        "breaks",
+        "pieces",     "corner_turn_deg", "reason",         "strict_empty_reason",
+        NULL};
+    const json_t *expected = json_object_get(line, "expected");
+    if (!fields_are_known(r, "", line, known))
+        return false;
+    if (is_given(expected) && !json_is_object(expected))
+        return fields_complain(r, "expected", "%s, expected an object", fields_type(expected));
+    return fields_are_known(r, "expected.", expected, known_expected);
 }
 
 enum region_case_status region_case_parse(const char *text, const char *file, int line_number,

@@ -1,12 +1,12 @@
 #include "region_options.h"
 
-#include <argp.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../cases/number.h"
+#include "../run/options.h"
 
 enum {
     TOLERANCE = 256,
@@ -59,7 +59,7 @@ static const char documentation[] =
     "\"loop_free\"}; datasets/README.md explains it, results/README.md what is written.\n\n"
     "Exit status: 0, 1 if --check finds something wrong, 2 on an input or output error, 64 on wrong usage, "
     "65 on "
-    "bad data, 130 when interrupted.";
+    "bad data or no line, 130 when interrupted.";
 
 static void add_method(struct region_options *o, const struct region_method *m)
 {
@@ -87,15 +87,6 @@ static void read_methods(struct region_options *o, char *list, struct argp_state
     }
 }
 
-static int read_count(struct argp_state *state, const char *name, const char *text, long least)
-{
-    char *end;
-    long n = strtol(text, &end, 10);
-    if (end == text || *end || n < least || n > INT_MAX)
-        argp_error(state, "--%s: \"%s\", expected an integer from %ld to %d", name, text, least, INT_MAX);
-    return (int)n;
-}
-
 static void read_at(struct argp_state *state, char *text, struct region_options *o)
 {
     char *y = strchr(text, ',');
@@ -117,6 +108,27 @@ static void read_degrees(struct argp_state *state, const char *text, struct regi
         argp_error(state, "--degree: \"%s\", expected LO-HI within 2-%d", text, REGION_RATIONAL_MAX);
 }
 
+static void finish(struct region_options *o, struct argp_state *state)
+{
+    const struct region_options_given *given = &o->given;
+    const bool random = o->random > 0, judges = o->check || o->time;
+    if (o->check + o->time + (o->repeat > 0) + random > 1)
+        argp_error(state, "one of --check, --time, --repeat and --random only");
+    option_needs(state, o->rows, "--rows", o->check, "--check");
+    option_needs(state, given->seed, "--seed", random, "--random");
+    option_needs(state, given->degree, "--degree", random, "--random");
+    option_excludes(state, o->at_given, "--at", judges, "--check or --time");
+    option_excludes(state, random, "--random", o->file_count > 0, "files");
+    option_excludes(state, random, "--random", o->at_given, "--at");
+    option_excludes(state, random, "--random", o->all_points, "--all-points");
+    option_excludes(state, random, "--random", o->keep_going, "--keep-going");
+    option_excludes(state, random, "--random", o->count > 0, "--method");
+    option_excludes(state, random, "--random", given->tolerance || given->max_steps,
+                    "--tolerance and --max-steps");
+    if (o->count == 0)
+        add_method(o, region_methods[0]);
+}
+
 /* false: not one of these. */
 static bool parse_measuring(int key, char *argument, struct argp_state *state, struct region_options *o)
 {
@@ -128,16 +140,18 @@ static bool parse_measuring(int key, char *argument, struct argp_state *state, s
         o->time = true;
         return true;
     case REPEAT:
-        o->repeat = read_count(state, "repeat", argument, 1);
+        o->repeat = option_integer(state, "--repeat", argument, 1, INT_MAX);
         return true;
     case RANDOM:
-        o->random = read_count(state, "random", argument, 1);
+        o->random = option_integer(state, "--random", argument, 1, INT_MAX);
         return true;
     case SEED:
-        o->seed = read_count(state, "seed", argument, 0);
+        o->seed = option_integer(state, "--seed", argument, 0, INT_MAX);
+        o->given.seed = true;
         return true;
     case DEGREE:
         read_degrees(state, argument, o);
+        o->given.degree = true;
         return true;
     default:
         return false;
@@ -154,9 +168,11 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case TOLERANCE:
         if (!real_parse(argument, &o->tolerance) || !(o->tolerance >= 0) || !(o->tolerance < 1))
             argp_error(state, "--tolerance: \"%s\", expected a number in [0, 1)", argument);
+        o->given.tolerance = true;
         return 0;
     case MAX_STEPS:
-        o->max_steps = read_count(state, "max-steps", argument, 1);
+        o->max_steps = option_integer(state, "--max-steps", argument, 1, INT_MAX);
+        o->given.max_steps = true;
         return 0;
     case CHECK:
         o->check = true;
@@ -175,14 +191,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         o->file_count = state->argc - state->next;
         return 0;
     case ARGP_KEY_END:
-        if (o->rows && !o->check)
-            argp_error(state, "--rows goes with --check");
-        if (o->check + o->time + (o->repeat > 0) + (o->random > 0) > 1)
-            argp_error(state, "one of --check, --time, --repeat and --random only");
-        if (o->random && o->file_count)
-            argp_error(state, "expected either files or --random");
-        if (o->count == 0)
-            add_method(o, region_methods[0]);
+        finish(o, state);
         return 0;
     default:
         return parse_measuring(key, argument, state, o) ? 0 : ARGP_ERR_UNKNOWN;

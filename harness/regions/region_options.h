@@ -6,6 +6,11 @@
 
 enum { REGION_METHODS_MAX = 16 };
 
+/* Options that say nothing of others without them. */
+struct region_options_given {
+    bool tolerance, max_steps, seed, degree;
+};
+
 struct region_options {
     const struct region_method *method[REGION_METHODS_MAX];
     int count;
@@ -19,6 +24,7 @@ struct region_options {
     int degree_lo, degree_hi;
     char **files;
     int file_count;
+    struct region_options_given given;
 };
 
 /* Ends the program with status 64 on wrong usage. */

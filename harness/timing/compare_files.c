@@ -14,46 +14,51 @@ static const double level = 0.99;
 static const double floor_unknown = 0.05;       /* of a run whose machine `doctor` did not see */
 static const double floor_instructions = 0.001; /* start-up that the difference of two runs does not cancel */
 
+enum { FAILED = 2, BAD_DATA = 65 };
+
 struct run {
     json_t *rows; /* array */
     double floor;
 };
 
-static bool run_read(struct run *r, const char *path)
-{
-    FILE *file = fopen(path, "r");
-    char *line = NULL;
-    size_t size = 0;
-    int number = 0;
-    r->rows = json_array();
-    r->floor = floor_unknown;
-    while (file && getline(&line, &size, file) > 0) {
-        json_t *row = json_loads(line, 0, NULL);
-        const json_t *environment = json_object_get(row, "environment");
-        number++;
-        if (!row) {
-            fprintf(stderr, "%s:%d: row: not JSON, expected a row of `fatline time`\n", path, number);
-            break;
-        }
-        if (json_is_number(json_object_get(environment, "noise_floor")))
-            r->floor = json_number_value(json_object_get(environment, "noise_floor"));
-        if (!environment)
-            json_array_append(r->rows, row);
-        json_decref(row);
-    }
-    bool good = file && feof(file);
-    if (!file)
-        perror(path);
-    else
-        fclose(file);
-    free(line);
-    return good;
-}
-
 static const char *text(const json_t *row, const char *key)
 {
     const char *value = json_string_value(json_object_get(row, key));
     return value ? value : "";
+}
+
+/* 0 or an exit status. */
+static int run_read(struct run *r, const char *path)
+{
+    FILE *file = fopen(path, "r");
+    char *line = NULL;
+    size_t size = 0;
+    int number = 0, status = file ? 0 : FAILED;
+    r->rows = json_array();
+    r->floor = floor_unknown;
+    while (file && status == 0 && getline(&line, &size, file) > 0) {
+        json_t *row = json_loads(line, JSON_DECODE_ANY, NULL);
+        const json_t *environment = json_object_get(row, "environment");
+        number++;
+        if (!row || (!environment && (!*text(row, "family") || !*text(row, "algorithm")))) {
+            fprintf(stderr, "%s:%d: %s, expected a row of `fatline time`\n", path, number,
+                    row ? "row: no family and algorithm" : "line: not JSON");
+            status = BAD_DATA;
+        }
+        if (json_is_number(json_object_get(environment, "noise_floor")))
+            r->floor = json_number_value(json_object_get(environment, "noise_floor"));
+        if (!environment && status == 0)
+            json_array_append(r->rows, row);
+        json_decref(row);
+    }
+    if (!file || ferror(file)) {
+        perror(path);
+        status = FAILED;
+    }
+    if (file)
+        fclose(file);
+    free(line);
+    return status;
 }
 
 /* The row of the same family, precision and algorithm (NULL: as `like`). */
@@ -117,14 +122,15 @@ static bool by_instructions(const struct compare_settings *s, const json_t *row,
 
 int compare_files(const struct compare_settings *s, int *compared, int *slower)
 {
-    struct run run[2];
+    struct run run[2] = {{NULL, 0}, {NULL, 0}};
     size_t i;
     json_t *row;
-    bool good = run_read(&run[0], s->file[0]);
-    good = run_read(&run[1], s->file[1]) && good;
+    int status = 0;
+    for (int k = 0; k < 2 && !status; k++)
+        status = run_read(&run[k], s->file[k]);
     json_array_foreach(run[0].rows, i, row)
     {
-        json_t *other = good ? find(&run[1], row, NULL) : NULL;
+        json_t *other = !status ? find(&run[1], row, NULL) : NULL;
         struct comparison c;
         memset(&c, 0, sizeof c);
         c.family = text(row, "family");
@@ -139,5 +145,5 @@ int compare_files(const struct compare_settings *s, int *compared, int *slower)
     }
     json_decref(run[0].rows);
     json_decref(run[1].rows);
-    return good ? 0 : 2;
+    return status;
 }

@@ -2,14 +2,15 @@
 #include "time_options.h"
 
 #include <argp.h>
-#include <math.h>
 #include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "../cases/number.h"
+#include "../run/memory.h"
+#include "../run/options.h"
+#include "../run/solving.h"
 
 static const char documentation[] =
     "Times intersection algorithms on the case lines of FILEs (- or none: standard input).\v"
@@ -35,7 +36,7 @@ static const char documentation[] =
     "size.\n\n"
     "Rows are JSON, one a line, after one line on the circumstances; on a terminal, or with "
     "--human, a table. Exit status: 0, 1 if nothing could be timed, 2 on an input or output "
-    "error, 64 on wrong usage, 65 on bad data.";
+    "error, 64 on wrong usage, 65 on bad data or no case.";
 
 enum {
     TOLERANCE = 256,
@@ -53,7 +54,6 @@ enum {
     FORGIVE,
     SINGLE,
     RESUME,
-    FILTER,
     DRY_RUN,
     COUNT,
     BATCH,
@@ -62,7 +62,8 @@ enum {
 
 static const struct argp_option options[] = {
     {"algorithm", 'a', "LIST", 0, "names or globs, separated by commas, `peers`, or `all` (the default)", 0},
-    {"baseline", 'b', "NAME", 0, "give ratios to this algorithm, from the same rounds", 0},
+    {"baseline", 'b', "NAME", 0,
+     "give ratios to this algorithm (of --batch: as its rows name it), or program, from the same rounds", 0},
     {"external", 'x', "CMD", 0, "also time a program that reads case lines and writes `solve` lines", 0},
     {"timeout", TIMEOUT, "S", 0, "seconds an external program or another library may take for a pair (10)",
      0},
@@ -79,7 +80,6 @@ static const struct argp_option options[] = {
      "the machine has",
      0},
     {"no-floor", NO_FLOOR, 0, 0, "without the yardstick", 0},
-    {"filter", FILTER, "REGEX", 0, "only the cases whose id matches this extended regular expression", 0},
     {"dry-run", DRY_RUN, 0, 0, "say what would be timed and about how long it would take", 0},
     {"output", 'o', "FILE", 0, "write there instead of to standard output", 0},
     {"resume", RESUME, 0, 0, "go on where the interrupted run that began FILE (--output) stopped", 0},
@@ -105,33 +105,6 @@ static const struct argp_option options[] = {
     {"rows", ROWS, 0, 0, "rows even on a terminal", 0},
     {0, 0, 0, 0, 0, 0}};
 
-static void push(char ***list, int *count, char *text)
-{
-    *list = (char **)realloc(*list, (*count + 1) * sizeof **list);
-    if (!*list)
-        exit(2);
-    (*list)[(*count)++] = text;
-}
-
-static double number_in(struct argp_state *state, const char *name, const char *text, double lo, double hi)
-{
-    char *end;
-    double value = strtod(text, &end);
-
-    if (end == text || *end || !(lo <= value && value <= hi))
-        argp_error(state, "--%s: '%s' is not a number from %g to %g", name, text, lo, hi);
-    return value;
-}
-
-static int count_in(struct argp_state *state, const char *name, const char *text, double lo, double hi)
-{
-    double value = number_in(state, name, text, lo, hi);
-
-    if (value != floor(value))
-        argp_error(state, "--%s: '%s' is not a whole number", name, text);
-    return (int)value;
-}
-
 /* The last processor that this process may run on. */
 static int last_cpu(void)
 {
@@ -145,14 +118,6 @@ static int last_cpu(void)
     return last;
 }
 
-static void add_algorithms(struct argp_state *state, struct time_settings *s, const char *list)
-{
-    const char *error = algorithms_named_add(&s->algorithms, list);
-
-    if (error)
-        argp_error(state, "%s", error);
-}
-
 static void choose_variant(struct argp_state *state, struct time_settings *s, const char *text)
 {
     static const char *const names[] = {"", "portable", "avx2", "avx512"};
@@ -161,7 +126,7 @@ static void choose_variant(struct argp_state *state, struct time_settings *s, co
     while (text && k < 4 && (k == 0 || strcmp(text, names[k])))
         k++;
     if (k == 4)
-        argp_error(state, "--batch: '%s', expected portable, avx2 or avx512", text);
+        argp_error(state, "--batch: \"%s\", expected portable, avx2 or avx512", text);
     if (!batch_has((enum batch_variant)k))
         argp_error(state, "--batch: this machine, or precision, has no %s", text);
     s->batch = true;
@@ -170,16 +135,93 @@ static void choose_variant(struct argp_state *state, struct time_settings *s, co
              names[k]);
 }
 
+/* An algorithm, the batch, or (to be seen) one of the external programs. */
+static void choose_baseline(struct argp_state *state, struct time_settings *s)
+{
+    bool batch = s->batch && !strcmp(s->baseline, s->batch_name);
+    size_t n = batch_algorithm ? strlen(batch_algorithm->name) : 0;
+
+    if (intersector_find(s->baseline))
+        solving_add(state, &s->algorithms, s->baseline);
+    else if (!batch && n && !strncmp(s->baseline, batch_algorithm->name, n) &&
+             !strncmp(s->baseline + n, "_batch", 6))
+        argp_error(state, "--baseline: %s takes part with --batch%s only", s->baseline,
+                   s->baseline[n + 6] ? "=VARIANT" : "");
+    else if (!batch && !s->externals)
+        argp_error(state, "--baseline: no algorithm %s; `fatline list` has their names", s->baseline);
+}
+
 static void finish(struct argp_state *state, struct time_settings *s)
 {
-    if (!s->algorithms.count && !s->externals && !s->batch)
-        add_algorithms(state, s, "all");
+    bool ours = s->algorithms.count || s->batch || !s->externals;
+
+    option_excludes(state, s->single, "--single", s->family_by, "--family-by");
+    option_excludes(state, s->human, "--human", s->rows, "--rows");
+    option_excludes(state, s->human, "--human", s->output, "--output");
+    option_excludes(state, s->plan.unchecked, "--unchecked", s->plan.points > 0, "--points");
+    option_needs(state, s->resume, "--resume", s->output, "--output FILE");
+    option_excludes(state, s->resume, "--resume", s->dry_run, "--dry-run");
+    option_needs(state, s->max_steps, "--max-steps beside --external", ours, "--algorithm");
+    option_needs(state, s->count_instructions && s->externals, "--count beside --external",
+                 s->algorithms.count, "--algorithm");
+    if (ours && !s->algorithms.count && !s->batch)
+        solving_add(state, &s->algorithms, "all");
     if (s->baseline)
-        add_algorithms(state, s, s->baseline);
-    if (s->resume && !s->output)
-        argp_error(state, "--resume needs --output FILE");
-    if (!s->files)
-        push(&s->file, &s->files, (char *)"-");
+        choose_baseline(state, s);
+    s->human = s->human || (!s->rows && !s->output && isatty(STDOUT_FILENO));
+    s->family_by = s->single ? "id" : s->family_by ? s->family_by : "file";
+    s->max_steps = s->max_steps ? s->max_steps : STEPS_MAX;
+}
+
+static bool parse_flag(int key, struct time_settings *s)
+{
+    bool *flag = key == FORGIVE     ? &s->plan.forgive
+                 : key == UNCHECKED ? &s->plan.unchecked
+                 : key == RESUME    ? &s->resume
+                 : key == DRY_RUN   ? &s->dry_run
+                 : key == NO_FLOOR  ? &s->no_floor
+                 : key == SINGLE    ? &s->single
+                 : key == HUMAN     ? &s->human
+                 : key == ROWS      ? &s->rows
+                                    : NULL;
+
+    if (flag)
+        *flag = true;
+    return flag;
+}
+
+static bool parse_number(int key, const char *text, struct argp_state *state, struct time_settings *s)
+{
+    switch (key) {
+    case TIMEOUT:
+        s->timeout = option_number(state, "--timeout", text, 1e-3, 1e9);
+        return true;
+    case TOLERANCE:
+        s->plan.tolerance = option_tolerance(state, text);
+        return true;
+    case MAX_STEPS:
+        s->max_steps = option_integer(state, "--max-steps", text, 1, 1000000000);
+        return true;
+    case ROUNDS:
+        s->plan.clock.rounds = option_integer(state, "--rounds", text, 1, 1000000);
+        return true;
+    case SECONDS:
+        s->plan.clock.seconds = option_number(state, "--seconds", text, 0, 1e9);
+        return true;
+    case SEED:
+        s->plan.clock.seed = (uint64_t)option_integer(state, "--seed", text, 0, 2147483647);
+        return true;
+    case POINTS:
+        s->plan.points = option_number(state, "--points", text, 1e-15, 1);
+        return true;
+    case PIN:
+        s->cpu = !strcmp(text, "auto")  ? last_cpu()
+                 : strcmp(text, "none") ? option_integer(state, "--pin", text, 0, CPU_SETSIZE - 1)
+                                        : -1;
+        return true;
+    default:
+        return false;
+    }
 }
 
 static error_t parse(int key, char *text, struct argp_state *state)
@@ -187,112 +229,60 @@ static error_t parse(int key, char *text, struct argp_state *state)
     struct time_settings *s = (struct time_settings *)state->input;
 
     switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &s->cases;
+        return 0;
     case 'a':
-        add_algorithms(state, s, text);
+        solving_add(state, &s->algorithms, text);
         return 0;
     case 'b':
         s->baseline = text;
         return 0;
     case 'x':
-        push(&s->external, &s->externals, text);
-        return 0;
-    case TIMEOUT:
-        s->timeout = number_in(state, "timeout", text, 1e-3, 1e9);
-        return 0;
-    case TOLERANCE:
-        if (!real_parse(text, &s->plan.tolerance) || !(s->plan.tolerance > 0))
-            argp_error(state, "--tolerance: '%s' is not a positive number", text);
-        return 0;
-    case MAX_STEPS:
-        s->max_steps = count_in(state, "max-steps", text, 1, 1e9);
-        return 0;
-    case ROUNDS:
-        s->plan.clock.rounds = count_in(state, "rounds", text, 1, 1e6);
-        return 0;
-    case SECONDS:
-        s->plan.clock.seconds = number_in(state, "seconds", text, 0, 1e9);
-        return 0;
-    case SEED:
-        s->plan.clock.seed = (uint64_t)count_in(state, "seed", text, 0, 2147483647);
+        s->external = (char **)memory_resized(s->external, (s->externals + 1) * sizeof *s->external);
+        s->external[s->externals++] = text;
         return 0;
     case 'o':
         s->output = text;
-        s->human = false;
-        return 0;
-    case FILTER:
-        s->filter = text;
-        return 0;
-    case POINTS:
-        s->plan.points = number_in(state, "points", text, 1e-15, 1);
         return 0;
     case COUNT:
         if (strcmp(text, "instructions"))
-            argp_error(state, "--count: '%s', expected instructions", text);
+            argp_error(state, "--count: \"%s\", expected instructions", text);
         s->count_instructions = true;
         return 0;
     case BATCH:
         choose_variant(state, s, text);
         return 0;
-    case PIN:
-        s->cpu = !strcmp(text, "auto")  ? last_cpu()
-                 : strcmp(text, "none") ? count_in(state, "pin", text, 0, CPU_SETSIZE - 1)
-                                        : -1;
-        return 0;
     case FAMILY_BY:
         s->family_by = text;
-        return 0;
-    case UNCHECKED:
-        s->plan.unchecked = true;
-        return 0;
-    case SINGLE:
-        s->single = true;
-        s->family_by = "id";
-        return 0;
-    case FORGIVE:
-    case RESUME:
-    case DRY_RUN:
-    case NO_FLOOR:
-        *(key == FORGIVE   ? &s->plan.forgive
-          : key == RESUME  ? &s->resume
-          : key == DRY_RUN ? &s->dry_run
-                           : &s->no_floor) = true;
-        return 0;
-    case HUMAN:
-    case ROWS:
-        s->human = key == HUMAN;
-        return 0;
-    case ARGP_KEY_ARG:
-        push(&s->file, &s->files, text);
         return 0;
     case ARGP_KEY_END:
         finish(state, s);
         return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return parse_flag(key, s) || parse_number(key, text, state, s) ? 0 : ARGP_ERR_UNKNOWN;
     }
 }
 
-static const struct argp parser = {options, parse, "[FILE...]", documentation, NULL, NULL, NULL};
-
 void time_settings_read(int argc, char **argv, struct time_settings *s)
 {
+    static const struct argp_child children[] = {{&selection_argp, 0, 0, 0}, {0, 0, 0, 0}};
+    static const struct argp parser = {options, parse, "[FILE...]", documentation, children, NULL, NULL};
+
     memset((void *)s, 0, sizeof *s);
-    s->family_by = "file";
     s->plan.tolerance = (real)1 / 1000000000000LL;
     s->plan.clock.rounds = 51;
     s->plan.clock.seconds = 10;
     s->plan.clock.sample_ns = 2e6;
     s->plan.clock.seed = 1;
-    s->max_steps = STEPS_MAX;
     s->cpu = -1;
     s->timeout = 10;
-    s->human = isatty(STDOUT_FILENO);
     argp_parse(&parser, argc, argv, 0, NULL, s);
 }
 
 void time_settings_clear(struct time_settings *s)
 {
     algorithms_named_clear(&s->algorithms);
+    selection_clear(&s->cases);
     free(s->external);
-    free(s->file);
 }

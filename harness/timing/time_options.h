@@ -2,23 +2,25 @@
 #ifndef FATLINE_TIME_OPTIONS_H
 #define FATLINE_TIME_OPTIONS_H
 
+#include "../cases/selection.h"
 #include "../run/algorithms_named.h"
 #include "timing.h"
 
 struct time_settings {
     struct algorithms_named algorithms;
-    int externals, files;
-    char **external, **file; /* commands; paths, `-` for standard input */
-    const char *baseline;    /* NULL: none */
+    struct selection cases;
+    int externals;
+    char **external;      /* commands */
+    const char *baseline; /* NULL: none */
     const char *family_by;
     struct timing_plan plan;
-    const char *output, *filter; /* NULL: standard output; all cases */
-    int max_steps, cpu;          /* cpu -1: none */
+    const char *output; /* NULL: standard output */
+    int max_steps, cpu; /* cpu -1: none */
     double timeout;
     bool batch;
     enum batch_variant variant;
     char batch_name[32];
-    bool human, single, resume, dry_run, count_instructions, no_floor;
+    bool human, rows, single, resume, dry_run, count_instructions, no_floor;
 };
 
 /* On wrong usage it says so and exits with status 64. */

@@ -206,14 +206,14 @@ static void solve_point(struct exact_answer *a, const struct biv *p, const struc
 /* ---- the two roads ---- */
 
 /* Images of irreducible curves meet in finitely many points or are the same: then the resultant is 0. */
-static const char *solve_curves(struct exact_answer *a, const struct biv *p, const struct biv *q)
+static const char *solve_curves(struct exact_answer *a, const struct biv *p, const struct biv *q, int digits)
 {
     struct exact_system e = {.p = *p, .q = *q, .pair = &a->pair, .whole = true};
     const char *trouble = exact_system_solve(&e, &a->points);
     if (trouble != EXACT_COMMON_COMPONENT)
         return trouble;
     a->same_carrier = true;
-    return exact_overlap_solve(&a->pair, p, q, &a->ranges, &a->points);
+    return exact_overlap_solve(&a->pair, p, q, digits, &a->ranges, &a->points);
 }
 
 const char *exact_solve(struct test_case *c, const struct exact_limits *limits)
@@ -231,7 +231,7 @@ const char *exact_solve(struct test_case *c, const struct exact_limits *limits)
     if (a.point_curve)
         solve_point(&a, &p, &q);
     else
-        trouble = solve_curves(&a, &p, &q);
+        trouble = solve_curves(&a, &p, &q, limits->digits);
     if (!trouble)
         trouble = exact_answer_write(&a, c, limits->digits);
     biv_clear(&p);

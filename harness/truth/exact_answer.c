@@ -1,6 +1,7 @@
 /* The answer as the fields "expected", "class" and "flags" of a line. */
 #include "exact_answer.h"
 #include "exact_parameter.h"
+#include "../cases/json_text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -150,11 +151,6 @@ static double tolerance_of(const struct exact_point *p, double cond)
 
 /* ---- the fields ---- */
 
-static json_t *number_or_null(double a)
-{
-    return isnan(a) ? json_null() : json_real(a);
-}
-
 static void add(json_t *object, const char *list, json_t *value)
 {
     json_array_append_new(json_object_get(object, list), value);
@@ -187,9 +183,9 @@ static const char *put_point(struct exact_answer *a, struct test_case *c, struct
     add(expected, "params", json_pack("[f, f]", t.nearest, s.nearest));
     add(expected, "exact", json_pack("[s, s]", t.text, s.text));
     add(expected, "points", json_pack("[f, f]", facts.x, facts.y));
-    add(expected, "sin", number_or_null(rounded(facts.sine)));
+    add(expected, "sin", json_number_or_null(rounded(facts.sine)));
     add(expected, "mult", p->multiplicity ? json_integer(p->multiplicity) : json_null());
-    add(expected, "cond", number_or_null(rounded(facts.cond)));
+    add(expected, "cond", json_number_or_null(rounded(facts.cond)));
     parameter_clear(&t);
     parameter_clear(&s);
     return done ? NULL : "a parameter could not be rounded";
@@ -203,7 +199,8 @@ static const char *put_range(struct test_case *c, struct exact_range *r, int dig
     struct parameter p[4];
     bool done = true;
     for (int i = 0; i < 4; i++) {
-        done = parameter_set(&p[i], end[i], i < 2 ? &c->f : &c->g, digits, false) && done;
+        bool refine = !fmpz_poly_is_zero(end[i]->p);
+        done = parameter_set(&p[i], end[i], i < 2 ? &c->f : &c->g, digits, refine) && done;
         mpq_init(q[i]);
         mpq_set(q[i], p[i].q);
         to->exact = (i == 0 || to->exact) && p[i].exact;

@@ -21,6 +21,7 @@ struct arcs {
     const struct exact_pair *pair;
     struct biv component;
     struct side side[2]; /* t, s */
+    slong bits;          /* of ends inside pieces */
 };
 
 /* An end of the meeting of two pieces: a critical parameter, or -1 for a place inside the piece. */

@@ -1,9 +1,10 @@
 /* Shared arcs, and the common points beside them. */
 #include "exact_arcs.h"
+#include "exact_parameter.h"
 
 #include <stdlib.h>
 
-enum { PREC_BESIDE = 1 << 11 };
+enum { PREC_BESIDE = 1 << 11, SPARE_BITS = 128 };
 
 void range_list_clear(struct range_list *l)
 {
@@ -185,9 +186,9 @@ static const char *find_beside(const struct arcs *k, const struct biv *p1, const
 }
 
 const char *exact_overlap_solve(const struct exact_pair *pair, const struct biv *p, const struct biv *q,
-                                struct range_list *ranges, struct point_list *points)
+                                int digits, struct range_list *ranges, struct point_list *points)
 {
-    struct arcs k = {.pair = pair};
+    struct arcs k = {.pair = pair, .bits = parameter_bits(digits) + SPARE_BITS};
     struct biv p1, q1;
     for (int i = 0; i < 2; i++) {
         fmpz_poly_init(k.side[i].num);

@@ -41,6 +41,11 @@ static void exact_parameter(struct parameter *p, const struct real_root *r, cons
     p->nearest = number_to_double(p->q);
 }
 
+slong parameter_bits(int digits)
+{
+    return (slong)(3.33 * digits) + 8;
+}
+
 bool parameter_set(struct parameter *p, struct real_root *r, const struct case_curve *c, int digits,
                    bool refine)
 {
@@ -52,7 +57,7 @@ bool parameter_set(struct parameter *p, struct real_root *r, const struct case_c
     arf_init(lo);
     arf_init(hi);
     bool done = false;
-    slong wanted = (slong)(3.33 * digits) + 8;
+    slong wanted = parameter_bits(digits);
     for (slong prec = PREC_FIRST; prec <= PREC_LAST && !done && !r->exact; prec *= 2) {
         if (refine)
             real_root_refine(r, wanted + prec, false);

@@ -13,6 +13,9 @@ struct parameter {
     bool exact;
 };
 
+/* Bits that a parameter of so many decimal digits is known to. */
+slong parameter_bits(int digits);
+
 /* p is initialised here.  refine: r may be made more precise; else its ball is what there is.  False if that
  * is too coarse to round. */
 bool parameter_set(struct parameter *p, struct real_root *r, const struct case_curve *c, int digits,

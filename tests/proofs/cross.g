@@ -4,6 +4,8 @@
 # C: return ax * by - ay * bx;
 # in: algorithms/intersect/certified/cone.c
 # says: rounding adds at most 4 u V_f V_g
+# in: algorithms/intersect/certified/avx2_one.h
+# C: out->det = _mm256_hsub_pd(products, products);
 @rnd = float<ieee_64, ne>;
 
 ax = V * a;

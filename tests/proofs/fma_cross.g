@@ -4,6 +4,8 @@
 # C: __m256d back = _mm256_mul_pd(_mm256_broadcast_sd(&f->ay[i]), x);
 # C: return _mm256_fmsub_pd(_mm256_broadcast_sd(&f->ax[i]), y, back);
 # says: in all less than 102 u S (V_f + V_g)
+# in: algorithms/intersect/certified/batch_kernel.h
+# C: return wide_fms(ax, by, ay * bx);
 @rnd = float<ieee_64, ne>;
 
 ax = V * a;

@@ -4,6 +4,12 @@
 # C: real e = (a + b) * half, f = (b + d) * half, m = (e + f) * half;
 # in: algorithms/core/bernstein.h
 # says: Error at most n u blossom of |c|
+# in: algorithms/intersect/certified/batch_kernel.h
+# C: wide a = (c[0] + c[1]) * 0.5, b = (c[1] + c[2]) * 0.5, d = (c[2] + c[3]) * 0.5;
+# C: wide e = (a + b) * 0.5, f = (b + d) * 0.5, m = (e + f) * 0.5;
+# says: Halving: (a + b) / 2 errs by u S; three deep: 3 u S.
+# in: algorithms/intersect/certified/avx2_parts.h
+# says: one halving adds at most 3 u S
 #
 # A half of a number is exact.
 @rnd = float<ieee_64, ne>;

@@ -3,6 +3,9 @@
 # C: real det = cross(p.dx, p.dy, q.dx, q.dy), one = 1 / det;
 # C: d.dt = cross(x, y, q.dx, q.dy) * one;
 # C: d.ds = cross(x, y, p.dx, p.dy) * one;
+# in: algorithms/intersect/certified/batch_newton.h
+# C: wide det = cross(p.dx, p.dy, q.dx, q.dy), one = 1.0 / det;
+# C: wide dt = cross(x, y, q.dx, q.dy) * one, ds = cross(x, y, p.dx, p.dy) * one;
 @rnd = float<ieee_64, ne>;
 
 one rnd= 1 / det;

@@ -16,20 +16,22 @@
 enum {
     WAITING_MAX = 64,       /* 16 at the root, and one more for each halving of either curve */
     STEPS_OF_KERNEL = 4096, /* curves of degree 16 may meet 256 times */
-    TRIAL_STEPS = 10
+    TRIAL_STEPS = 30
 };
 
 struct waiting {
     int f, g;
 };
 
-/* Few arcs side by side still are when they are halved.  So such a pair is tried for some steps; if all that
- * comes of it is not settled by then, that is dropped, and the pair is left as it was. */
+/* Few arcs side by side still are when they are halved, but for those that touch.  So such a pair is tried
+ * for some steps; if all that comes of it is not settled by then, or after some halvings parts of it still
+ * lie side by side, that is dropped, and the pair is left as it was. */
 struct trial {
     bool on;
     struct waiting pair;
     int waiting, records; /* there were before */
     int last_step;
+    int deepest; /* depths of f and g together: deeper arcs are not to lie side by side */
 };
 
 struct kernel {
@@ -99,9 +101,14 @@ FATLINE_AVX2 static void arcs_begin(struct arcs *c, const struct curve *from, do
 
 /* ---- a pair ---- */
 
+static int depth_of(int k)
+{
+    return 31 - __builtin_clz((unsigned)k);
+}
+
 static struct interval span_of(int k)
 {
-    int first = 1 << (31 - __builtin_clz((unsigned)k));
+    int first = 1 << depth_of(k);
     struct interval r = {(double)(k - first) / first, (double)(k - first + 1) / first};
     return r;
 }
@@ -156,8 +163,12 @@ FATLINE_AVX2 static enum verdict settle_one(struct kernel *k, int i, int j, doub
 FATLINE_AVX2 static enum verdict settle(struct kernel *k, const struct waiting *at)
 {
     struct arc *f = &k->f.arc[at->f], *g = &k->g.arc[at->g];
-    arc_prepare(&k->f, at->f);
-    arc_prepare(&k->g, at->g);
+    if (!f->ready) {
+        arc_prepare(&k->f, at->f);
+    }
+    if (!g->ready) {
+        arc_prepare(&k->g, at->g);
+    }
     double gap = cones_gap(&k->f, f, &k->g, g);
     if (gap > 0) {
         return settle_one(k, at->f, at->g, gap);
@@ -220,15 +231,24 @@ FATLINE_AVX2 static void split_whole(struct kernel *k)
 {
     bool larger_f = k->f.arc[1].bend >= k->g.arc[1].bend;
     int first_f, first_g, n = parts_of(&k->f, larger_f, &first_f), m = parts_of(&k->g, !larger_f, &first_g);
+    struct waiting *top = k->wait; /* none waits yet */
     for (int i = first_f + n - 1; i >= first_f; i--) {
+        const __m256d low = k->f.arc[i].low, high = k->f.arc[i].high;
         for (int j = first_g + m - 1; j >= first_g; j--) {
-            struct waiting next = {i, j};
-            k->wait[k->waiting] = next;
-            k->waiting += arcs_meet(&k->f.arc[i], &k->g.arc[j]);
+            top->f = i;
+            top->g = j;
+            top += octagons_meet(low, high, k->g.arc[j].low, k->g.arc[j].high);
         }
     }
+    k->waiting = (int)(top - k->wait);
 }
 
+static int depths_of(const struct waiting *at)
+{
+    return depth_of(at->f) + depth_of(at->g);
+}
+
+/* Of trials of the higher degrees more come to a good end after all, and the engine takes longer for them. */
 static void trial_begin(struct kernel *k, const struct waiting *at)
 {
     struct trial *trial = &k->trial;
@@ -237,6 +257,7 @@ static void trial_begin(struct kernel *k, const struct waiting *at)
     trial->waiting = k->waiting;
     trial->records = k->z->out->count;
     trial->last_step = k->z->steps + TRIAL_STEPS;
+    trial->deepest = depths_of(at) + 3 + (k->f.n + k->g.n) / 4;
 }
 
 /* What is to be left instead of `at`. */
@@ -257,10 +278,15 @@ FATLINE_AVX2 static enum verdict step(struct kernel *k, const struct waiting *at
     }
     z->steps++;
     enum verdict verdict = settle(k, at);
+    if (verdict == CLOSED || verdict == LEFT) {
+        return verdict;
+    }
     if (verdict == BESIDE && !k->trial.on) {
         trial_begin(k, at);
+    } else if (verdict == BESIDE && depths_of(at) > k->trial.deepest) {
+        return LEFT;
     }
-    return verdict == CLOSED || verdict == LEFT ? verdict : halve(k, at) ? CLOSED : LEFT;
+    return halve(k, at) ? CLOSED : LEFT;
 }
 
 FATLINE_AVX2 static void work(struct kernel *k)
@@ -289,7 +315,7 @@ static void solve(struct kernel *k)
     k->readied = k->trial.on = false;
     z->steps++;
     enum verdict verdict = settle(k, &whole);
-    if (verdict == LEFT) {
+    if (verdict == LEFT || verdict == BESIDE) { /* whole curves side by side mostly touch, or nearly */
         leave(k, 1, 1);
     } else if (verdict != CLOSED) {
         split_whole(k);

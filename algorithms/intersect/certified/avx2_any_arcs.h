@@ -22,7 +22,7 @@
 
 #define AVX2_ANY static inline __attribute__((always_inline, target("avx2,fma")))
 
-enum { DEPTH_OF_ARCS = 8, ARCS_MAX = 2 << DEPTH_OF_ARCS, POINTS_MIN = 4 };
+enum { DEGREE_KNOWN = 8, DEPTH_OF_ARCS = 8, ARCS_MAX = 2 << DEPTH_OF_ARCS, POINTS_MIN = 4 };
 
 struct arc {
     __m256d low, high; /* the exact part lies between, in each of x, y, x + y, x - y */
@@ -86,11 +86,16 @@ AVX2_ANY void octagon_store(const struct arcs *c, __m256d low, __m256d high, str
     to->halved = to->ready = false;
 }
 
-AVX2_ANY bool arcs_meet(const struct arc *a, const struct arc *b)
+AVX2_ANY bool octagons_meet(__m256d low, __m256d high, __m256d its_low, __m256d its_high)
 {
     __m256d apart =
-        _mm256_or_pd(_mm256_cmp_pd(a->low, b->high, _CMP_GT_OQ), _mm256_cmp_pd(b->low, a->high, _CMP_GT_OQ));
+        _mm256_or_pd(_mm256_cmp_pd(low, its_high, _CMP_GT_OQ), _mm256_cmp_pd(its_low, high, _CMP_GT_OQ));
     return _mm256_testz_pd(apart, apart);
+}
+
+AVX2_ANY bool arcs_meet(const struct arc *a, const struct arc *b)
+{
+    return octagons_meet(a->low, a->high, b->low, b->high);
 }
 
 /* ---- halving ---- */
@@ -141,8 +146,40 @@ AVX2_ANY void last_rounds(int count, const __m256d *in, __m256d *left, __m256d *
     }
 }
 
-/* The halves of part k, which has none. */
-FATLINE_AVX2 static void arc_halve(struct arcs *c, int k)
+/* In registers, for a degree that the compiler knows. */
+AVX2_ANY void halve_known(int n, struct arcs *c, int k)
+{
+    const __m256d *in = arc_points(c, k);
+    __m256d b[DEGREE_KNOWN + 1], *left = arc_points(c, 2 * k), *right = arc_points(c, 2 * k + 1);
+#pragma GCC unroll 32
+    for (int i = 0; i <= n; i++) {
+        b[i] = in[i];
+    }
+    __m256d low = b[0], high = low, low_2 = b[n], high_2 = low_2;
+    left[0] = low;
+    right[n] = low_2;
+#pragma GCC unroll 32
+    for (int round = 1; round <= n; round++) {
+        const __m256d scale = _mm256_set1_pd(1.0 / (1 << round));
+#pragma GCC unroll 32
+        for (int i = 0; i <= n - round; i++) {
+            b[i] = b[i] + b[i + 1];
+        }
+        __m256d first = b[0] * scale, last = b[n - round] * scale;
+        left[round] = first;
+        right[n - round] = last;
+        low = _mm256_min_pd(low, first);
+        high = _mm256_max_pd(high, first);
+        low_2 = _mm256_min_pd(low_2, last);
+        high_2 = _mm256_max_pd(high_2, last);
+    }
+    octagon_store(c, low, high, &c->arc[2 * k]);
+    octagon_store(c, low_2, high_2, &c->arc[2 * k + 1]);
+    c->arc[k].halved = true;
+}
+
+/* For any degree: four rounds at a time. */
+FATLINE_AVX2 static void halve_any(struct arcs *c, int k)
 {
     int n = c->n, count = n + 1;
     __m256d sums[DEGREE_MAX + 1], *left = arc_points(c, 2 * k), *right = arc_points(c, 2 * k + 1);
@@ -172,14 +209,37 @@ FATLINE_AVX2 static void arc_halve(struct arcs *c, int k)
     c->arc[k].halved = true;
 }
 
+/* The halves of part k, which has none. */
+FATLINE_AVX2 static void arc_halve(struct arcs *c, int k)
+{
+    switch (c->n) {
+    case 4:
+        halve_known(4, c, k);
+        break;
+    case 5:
+        halve_known(5, c, k);
+        break;
+    case 6:
+        halve_known(6, c, k);
+        break;
+    case 7:
+        halve_known(7, c, k);
+        break;
+    case 8:
+        halve_known(8, c, k);
+        break;
+    default:
+        halve_any(c, k);
+    }
+}
+
 /* ---- directions ---- */
 
 /* The first two numbers of four vectors as columns. */
 AVX2_ANY void columns(const __m256d *a, __m256d *x, __m256d *y)
 {
-    const double *at = (const double *)a;
-    __m256d b = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(at)), _mm_load_pd(at + 8), 1);
-    __m256d c = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(at + 4)), _mm_load_pd(at + 12), 1);
+    __m256d b = _mm256_insertf128_pd(a[0], _mm256_castpd256_pd128(a[2]), 1);
+    __m256d c = _mm256_insertf128_pd(a[1], _mm256_castpd256_pd128(a[3]), 1);
     *x = _mm256_unpacklo_pd(b, c);
     *y = _mm256_unpackhi_pd(b, c);
 }
@@ -201,6 +261,7 @@ AVX2_ANY bool cone_of(int n, const __m256d *way, double ex, double ey, __m256d *
 {
     const __m256d x = _mm256_set1_pd(ex), y = _mm256_set1_pd(ey), small = _mm256_set1_pd(4 * DBL_EPSILON / 2);
     __m256d least = _mm256_set1_pd(DBL_MAX), first = least, last = _mm256_set1_pd(-DBL_MAX);
+#pragma GCC unroll 2
     for (int i = 0; i < n; i += 4) {
         __m256d ax, ay;
         columns(way + block_at(n, i), &ax, &ay);
@@ -228,17 +289,14 @@ AVX2_ANY bool cone_of(int n, const __m256d *way, double ex, double ey, __m256d *
 
 /* A difference errs by 2 E and its rounding u 2 S <= E / 6 in x and y, twice that in x + y and x - y; a
  * second difference by 4 E and u 8 S <= 2 E / 3. */
-FATLINE_AVX2 static void arc_prepare(struct arcs *c, int k)
+AVX2_ANY void prepare(int n, struct arcs *c, int k)
 {
     struct arc *a = &c->arc[k];
-    if (a->ready) {
-        return;
-    }
-    int n = c->n;
     const __m256d *p = arc_points(c, k);
     __m256d way[DEGREE_MAX + 3], speed, bend = _mm256_setzero_pd(), before;
     way[0] = before = p[1] - p[0];
     speed = size_of(before);
+#pragma GCC unroll 8
     for (int i = 1; i < n; i++) {
         __m256d now = p[i + 1] - p[i];
         way[i] = now;
@@ -256,6 +314,29 @@ FATLINE_AVX2 static void arc_prepare(struct arcs *c, int k)
     a->bend = n > 1 ? n * (n - 1) * (largest_of(_mm256_castpd256_pd128(bend)) + 5 * c->error) : 0;
     a->wide = !cone_of(n, way, a->ex, a->ey, &a->cone);
     a->ready = true;
+}
+
+FATLINE_AVX2 static void arc_prepare(struct arcs *c, int k)
+{
+    switch (c->n) {
+    case 4:
+        prepare(4, c, k);
+        break;
+    case 5:
+        prepare(5, c, k);
+        break;
+    case 6:
+        prepare(6, c, k);
+        break;
+    case 7:
+        prepare(7, c, k);
+        break;
+    case 8:
+        prepare(8, c, k);
+        break;
+    default:
+        prepare(c->n, c, k);
+    }
 }
 
 /* c > 0: every exact difference of f crosses every one of g the same way, and no product is smaller than c
@@ -287,20 +368,40 @@ struct offsets {
     double low, high;
 };
 
-/* Range of ex y - ey x over the control points. */
-AVX2_ANY struct offsets offsets_of(const struct arcs *c, int k, double ex, double ey)
+AVX2_ANY struct offsets offsets(int n, const __m256d *p, double ex, double ey)
 {
-    const __m256d x = _mm256_set1_pd(ex), y = _mm256_set1_pd(ey), *p = arc_points(c, k);
+    const __m256d x = _mm256_set1_pd(ex), y = _mm256_set1_pd(ey);
     __m256d low = _mm256_set1_pd(DBL_MAX), high = _mm256_set1_pd(-DBL_MAX);
-    for (int i = 0; i <= c->n; i += 4) {
+#pragma GCC unroll 3
+    for (int i = 0; i <= n; i += 4) {
         __m256d px, py;
-        columns(p + block_at(c->n + 1, i), &px, &py);
+        columns(p + block_at(n + 1, i), &px, &py);
         __m256d d = _mm256_fmsub_pd(x, py, y * px);
         low = _mm256_min_pd(low, d);
         high = _mm256_max_pd(high, d);
     }
     struct offsets r = {least_of_four(low), most_of_four(high)};
     return r;
+}
+
+/* Range of ex y - ey x over the control points. */
+FATLINE_AVX2 static struct offsets offsets_of(const struct arcs *c, int k, double ex, double ey)
+{
+    const __m256d *p = arc_points(c, k);
+    switch (c->n) {
+    case 4:
+        return offsets(4, p, ex, ey);
+    case 5:
+        return offsets(5, p, ex, ey);
+    case 6:
+        return offsets(6, p, ex, ey);
+    case 7:
+        return offsets(7, p, ex, ey);
+    case 8:
+        return offsets(8, p, ex, ey);
+    default:
+        return offsets(c->n, p, ex, ey);
+    }
 }
 
 /* Along a's chord e, as it was computed.  An offset errs by E |e|_1 and 2 u S |e|_1 of rounding. */

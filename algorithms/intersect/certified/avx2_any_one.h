@@ -49,14 +49,42 @@ FATLINE_AVX2 static void ready_make(const struct arcs *c, double unit, struct re
     out->slope_noise = n * (3 * n + 6) * (DBL_EPSILON / 2) * c->arc[1].speed;
 }
 
+/* The sums for t^n and for the slope, by powers of t; *power: t^n. */
+AVX2_ANY __m256d sums_at(int n, const struct ready *c, __m256d t, __m256d v, __m256d *power)
+{
+    __m256d sum = c->at[0];
+    *power = t;
+#pragma GCC unroll 8
+    for (int i = 1; i < n; i++) {
+        sum = _mm256_fmadd_pd(sum, v, c->at[i] * *power);
+        *power = *power * t;
+    }
+    return sum;
+}
+
+AVX2_ANY __m256d sums_of(const struct ready *c, __m256d t, __m256d v, __m256d *power)
+{
+    switch (c->n) {
+    case 4:
+        return sums_at(4, c, t, v, power);
+    case 5:
+        return sums_at(5, c, t, v, power);
+    case 6:
+        return sums_at(6, c, t, v, power);
+    case 7:
+        return sums_at(7, c, t, v, power);
+    case 8:
+        return sums_at(8, c, t, v, power);
+    default:
+        return sums_at(c->n, c, t, v, power);
+    }
+}
+
 AVX2_ANY void spot_of(const struct ready *c, struct side *a)
 {
     double inside = a->t < a->lo ? a->lo : a->t > a->hi ? a->hi : a->t, past = a->t - inside;
-    __m256d t = _mm256_set1_pd(inside), v = _mm256_set1_pd(1 - inside), power = t, sum = c->at[0];
-    for (int i = 1; i < c->n; i++) {
-        sum = _mm256_fmadd_pd(sum, v, c->at[i] * power);
-        power = power * t;
-    }
+    __m256d t = _mm256_set1_pd(inside), v = _mm256_set1_pd(1 - inside), power;
+    __m256d sum = sums_of(c, t, v, &power);
     __m256d value = _mm256_fmadd_pd(sum, v, c->at[c->n] * power);
     __m128d slope = _mm256_extractf128_pd(sum, 1);
     __m128d at = _mm_fmadd_pd(_mm_set1_pd(past), slope, _mm256_castpd256_pd128(value));
@@ -97,8 +125,8 @@ AVX2_ANY bool radii_make(const struct ready *of_f, const struct ready *of_g, dou
     double least = det - change_f * dg - change_g * df - 2 * change_f * change_g - 4 * DBL_EPSILON * df * dg;
     if (2 * least > det) {
         double by = left * (1 + 8 * DBL_EPSILON) / least;
-        f->radius = fmin(f->radius, by * (dg + 2 * change_g));
-        g->radius = fmin(g->radius, by * (df + 2 * change_f));
+        f->radius = real_min(f->radius, by * (dg + 2 * change_g));
+        g->radius = real_min(g->radius, by * (df + 2 * change_f));
     }
     f->radius += DBL_EPSILON * fabs(f->t);
     g->radius += DBL_EPSILON * fabs(g->t);
@@ -118,7 +146,7 @@ FATLINE_AVX2 static enum search_of_one one_zero(const struct ready *of_f, const 
     for (int k = 0; k < ITERATIONS_MAX; k++) {
         spot_of(of_f, f);
         spot_of(of_g, g);
-        double x = f->x - g->x, y = f->y - g->y, far = fmax(fabs(x), fabs(y));
+        double x = f->x - g->x, y = f->y - g->y, far = real_max(fabs(x), fabs(y));
         double error = of_f->noise + of_g->noise + f->past * of_f->slope_noise + g->past * of_g->slope_noise;
         far = far * (1 + 4 * DBL_EPSILON) + error;
         if (is_outside(f, f->reach * far) | is_outside(g, g->reach * far)) {

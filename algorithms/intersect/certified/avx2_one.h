@@ -10,8 +10,8 @@
  *     D2 = 2 C2 and D3 = 3 C3 err by 36 and 48 u L, Horner's rule adds 24 and 27 u L:   slope 141 u L.
  *
  * Past the ends of a part the tangent goes on: value + past * slope errs by |past| times the slope's noise
- * and 6 u L of rounding, whence 160 u L.  A raised curve's points err by 3 u S: 3 u S of value, 18 u S of
- * slope.
+ * and 6 u L of rounding, whence 160 u L, and by another u S: of both curves 5 u S will do.  A raised curve's
+ * points err by 3 u S: 3 u S of value, 18 u S of slope.
  */
 #ifndef FATLINE_CERTIFIED_AVX2_ONE_H
 #define FATLINE_CERTIFIED_AVX2_ONE_H
@@ -46,7 +46,7 @@ AVX2_INLINE void powers_make(const struct part *f, const struct part *g, double 
     __m256d size = _mm256_max_pd(_mm256_max_pd(absolute(h0), absolute(h1)), absolute(h2));
     size = _mm256_mul_pd(_mm256_max_pd(size, neighbours(size)), _mm256_set1_pd(DBL_EPSILON / 2));
     __m256d both = _mm256_add_pd(size, other_half(size));
-    out->noise = _mm256_fmadd_pd(_mm256_set1_pd(60), both, _mm256_set1_pd((raised ? 9 : 3) * unit));
+    out->noise = _mm256_fmadd_pd(_mm256_set1_pd(60), both, _mm256_set1_pd((raised ? 11 : 5) * unit));
     out->slope_noise = _mm256_fmadd_pd(_mm256_set1_pd(160), size, _mm256_set1_pd(raised ? 20 * unit : 0));
 }
 

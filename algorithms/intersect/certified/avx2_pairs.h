@@ -7,25 +7,29 @@
 #define FATLINE_CERTIFIED_AVX2_PAIRS_H
 
 #include "avx2_one.h"
+#include "crowd.h"
 
 enum {
     WAITING_MAX = 64,
     STEPS_OF_KERNEL = 256, /* fewer than CROSSINGS_MAX */
-    TRIAL_STEPS = 6,
-    TRIALS_MAX = 2 /* that fail */
+    TRIAL_STEPS = 16,
+    TRIAL_HALVINGS = 3, /* of both arcs together */
+    TRIALS_MAX = 2      /* that fail */
 };
 
 struct pair_of_parts {
     struct part *f, *g;
 };
 
-/* Few arcs side by side still are when they are halved.  So such a pair is tried for some steps; if it is not
- * settled by then, all that came of it is dropped, and it is left as it was. */
+/* Few arcs side by side still are when they are halved, but for those that touch.  So such a pair is tried
+ * for some steps; if it is not settled by then, or after some halvings parts of it still lie side by side,
+ * all that came of it is dropped, and it is left as it was. */
 struct trial {
     bool on;
     struct pair_of_parts pair;
     int waiting, records; /* there were before */
     int last_step, failed;
+    int deepest; /* depths of both arcs together: deeper ones are not to lie side by side */
 };
 
 struct kernel {
@@ -179,6 +183,11 @@ FATLINE_AVX2 static void split_whole(struct kernel *k)
     }
 }
 
+AVX2_INLINE int depths_of(struct pair_of_parts at)
+{
+    return at.f->depth + at.g->depth;
+}
+
 /* false: there have been too many in vain */
 AVX2_INLINE bool trial_begin(struct kernel *k, struct pair_of_parts at)
 {
@@ -192,6 +201,7 @@ AVX2_INLINE bool trial_begin(struct kernel *k, struct pair_of_parts at)
     t->records = k->z->out->count;
     t->last_step = k->z->steps + TRIAL_STEPS;
     t->last_step = t->last_step < k->last_step ? t->last_step : k->last_step;
+    t->deepest = depths_of(at) + TRIAL_HALVINGS;
     return true;
 }
 
@@ -214,15 +224,75 @@ AVX2_INLINE enum verdict step(struct kernel *k, struct pair_of_parts at)
     }
     k->z->steps++;
     enum verdict verdict = settle(k, at.f, at.g);
-    if (verdict == BESIDE && !k->trial.on && !trial_begin(k, at)) {
+    if (verdict == BESIDE && (k->trial.on ? depths_of(at) > k->trial.deepest : !trial_begin(k, at))) {
         return LEFT;
     }
     return verdict <= BESIDE ? split(k, at.f, at.g) : verdict;
 }
 
+/* ---- many pairs at once ---- */
+
+/* The part over a node of crowd.h; NULL: there is no room. */
+FATLINE_AVX2 static struct part *part_of(struct kernel *k, struct parts *c, double node)
+{
+    struct part *a = &c->part[0];
+    for (int code = (int)node, level = 30 - __builtin_clz((unsigned)code); a && level >= 0; level--) {
+        struct part *half = part_split(c, a, k->pad);
+        a = half ? half + (code >> level & 1) : NULL;
+    }
+    return a;
+}
+
+FATLINE_AVX2 static void rows_of(const struct part *whole, double x[4], double y[4])
+{
+    for (int i = 0; i < 4; i++) {
+        x[i] = whole->point[i][0];
+        y[i] = whole->point[i][1];
+    }
+}
+
+static double node_of(const struct part *a)
+{
+    return (1 + a->lo) / a->width; /* exact */
+}
+
+/* Instead of one after the other, if many wait; false: there is nothing more to do. */
+FATLINE_AVX2 static bool settle_crowd(struct kernel *k)
+{
+    struct crowd c;
+    c.unit = k->unit;
+    c.count = k->waiting;
+    rows_of(&k->f->part[0], c.x[0], c.y[0]);
+    rows_of(&k->g->part[0], c.x[1], c.y[1]);
+    for (int i = 0; i < c.count; i++) {
+        c.f[i] = node_of(k->wait[i].f);
+        c.g[i] = node_of(k->wait[i].g);
+    }
+    k->waiting = 0;
+    if (!crowd_settle_avx512(&c, k->z, k->last_step)) {
+        return false;
+    }
+    for (int i = 0; i < c.count; i++) {
+        struct part *f = part_of(k, k->f, c.f[i]), *g = part_of(k, k->g, c.g[i]);
+        if (f && g && k->waiting < WAITING_MAX) {
+            k->wait[k->waiting].f = f;
+            k->wait[k->waiting++].g = g;
+        } else {
+            struct interval t = span_of_node(c.f[i]), s = span_of_node(c.g[i]);
+            if (!front_leave(k->z, t, s)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 /* All pairs that wait. */
 FATLINE_AVX2 static void work(struct kernel *k)
 {
+    if (k->waiting >= CROWD_FROM && k->z->many && !settle_crowd(k)) {
+        return;
+    }
     while (k->waiting > 0) {
         struct pair_of_parts at = k->wait[--k->waiting];
         if (k->trial.on && k->waiting < k->trial.waiting) {

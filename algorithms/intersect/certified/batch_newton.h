@@ -191,7 +191,9 @@ LANES_INLINE void newton_step(struct hunt *h, wide_mask *ended, struct last_step
     *ended |= open & wide_less(rest, 2.0 * error);
 }
 
-/* As radii() of solve_one.c, in the same order of operations. */
+/* As radii() of solve_one.c, in the same order of operations.  A radius is computed to 17 u of itself; the
+ * factor of reach, 1 + 8 DBL_EPSILON, makes up for 16 u, and value_error and slope_error, of which one part
+ * in 80 is to spare, for the rest. */
 LANES_INLINE void radii(const struct side *f, const struct side *g, wide unit, const struct last_step *d,
                         wide t, wide s, wide *out_t, wide *out_s)
 {
@@ -268,13 +270,14 @@ LANES_INLINE void mark_ends(struct batch_chunk *z, wide_mask which, wide_mask en
     }
 }
 
-LANES_INLINE void prove(struct batch_chunk *z, struct hunt *h)
+/* With bounds, to the end: h->active loses the lanes without a zero in their nodes; returns those whose zero
+ * is proved, within the radii. */
+LANES_INLINE wide_mask hunt_end(struct hunt *h, wide *rt, wide *rs)
 {
     enum { ITERATIONS_MAX = 8 };
     const wide none = wide_of(0);
     struct last_step d = {none, none, none, none, none, none, none};
     struct side *f = &h->f, *g = &h->g;
-    wide rt, rs;
     side_component(h->arc[0].x, f->x, f->slope_x);
     side_component(h->arc[0].y, f->y, f->slope_y);
     side_component(h->arc[1].x, g->x, g->slope_x);
@@ -285,14 +288,20 @@ LANES_INLINE void prove(struct batch_chunk *z, struct hunt *h)
         newton_step(h, &ended, &d);
     } while (++steps < ITERATIONS_MAX && wide_bits(h->active & ~ended));
     ended &= wide_less(64 * DBL_EPSILON * (d.df * d.dg), d.det); /* k u < 1/128 in solve_one.c */
-    radii(f, g, h->unit, &d, h->t, h->s, &rt, &rs);
-    wide_mask active = h->active & ~(ended & (beyond(f, h->t, rt) | beyond(g, h->s, rs)));
+    radii(f, g, h->unit, &d, h->t, h->s, rt, rs);
+    h->active &= ~(ended & (beyond(f, h->t, *rt) | beyond(g, h->s, *rs)));
+    return h->active & ended;
+}
+
+LANES_INLINE void prove(struct batch_chunk *z, struct hunt *h)
+{
+    wide rt, rs;
+    wide_mask proved = hunt_end(h, &rt, &rs), at_end = wide_first(0);
     const wide widest = wide_of(z->tolerance / 2);
-    wide_mask at_end = wide_first(0);
-    wide_mask good = active & ended & is_placed(f, h->t, rt, &at_end) & is_placed(g, h->s, rs, &at_end) &
+    wide_mask good = proved & is_placed(&h->f, h->t, rt, &at_end) & is_placed(&h->g, h->s, rs, &at_end) &
                      wide_less(rt, widest) & wide_less(rs, widest);
-    if (wide_bits(active & ~good)) {
-        leave_alone(z, active & ~good, wide_load_whole(h->pair));
+    if (wide_bits(h->active & ~good)) {
+        leave_alone(z, h->active & ~good, wide_load_whole(h->pair));
     }
     if (z->records + LANES > z->room) {
         z->full = true;

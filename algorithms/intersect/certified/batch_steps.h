@@ -4,7 +4,7 @@
 #ifndef FATLINE_BATCH_STEPS_H
 #define FATLINE_BATCH_STEPS_H
 
-#include "batch_newton.h"
+#include "batch_nodes.h"
 
 /* ---- lists ---- */
 
@@ -36,25 +36,19 @@ LANES_TARGET static void solve_waiting(struct batch_chunk *z, bool all)
 LANES_INLINE void push_solve(struct batch_chunk *z, wide_mask which, wide at, wide code_f, wide code_g,
                              const struct arc *f, const struct arc *g, const struct cone *c)
 {
-    const double up = 1 + 8 * DBL_EPSILON;
     struct batch_solves *q = &z->solves;
-    wide ux = f->x[3] - f->x[0], uy = f->y[3] - f->y[0], vx = g->x[3] - g->x[0], vy = g->y[3] - g->y[0];
-    wide rx = g->x[0] - f->x[0], ry = g->y[0] - f->y[0], det = cross(ux, uy, vx, vy), thrice = 3.0 * c->gap;
-    wide both = 1.0 / (det * thrice), one = both * thrice, k = both * det * up; /* k: 1 / thrice */
-    wide width_f = code_width(code_f), width_g = code_width(code_g);
-    wide times_f = code_times(code_f), times_g = code_times(code_g);
+    struct start start;
+    start_of(code_f, code_g, f, g, c, &start);
     int to = q->count;
     wide_store_whole(q->pair + to, wide_pack(which, at));
     wide_store(q->f + to, wide_pack(which, code_f));
     wide_store(q->g + to, wide_pack(which, code_g));
-    wide_store(q->t + to,
-               wide_pack(which, wide_fma(width_f, cross(rx, ry, vx, vy) * one, code_start(code_f))));
-    wide_store(q->s + to,
-               wide_pack(which, wide_fma(width_g, cross(rx, ry, ux, uy) * one, code_start(code_g))));
-    wide_store(q->reach_t + to, wide_pack(which, c->g.speed * width_f * k));
-    wide_store(q->reach_s + to, wide_pack(which, c->f.speed * width_g * k));
-    wide_store(q->bend_f + to, wide_pack(which, 6 * up * c->f.bend * (times_f * times_f)));
-    wide_store(q->bend_g + to, wide_pack(which, 6 * up * c->g.bend * (times_g * times_g)));
+    wide_store(q->t + to, wide_pack(which, start.t));
+    wide_store(q->s + to, wide_pack(which, start.s));
+    wide_store(q->reach_t + to, wide_pack(which, start.reach_t));
+    wide_store(q->reach_s + to, wide_pack(which, start.reach_s));
+    wide_store(q->bend_f + to, wide_pack(which, start.bend_f));
+    wide_store(q->bend_g + to, wide_pack(which, start.bend_g));
     q->count += __builtin_popcount(wide_bits(which));
     if (q->count > SOLVES - LANES) {
         solve_waiting(z, false);
@@ -188,34 +182,15 @@ LANES_TARGET static int cut_in_four(struct batch_chunk *z, int first, struct bat
 
 /* ---- nodes ---- */
 
-LANES_INLINE void select_arc(wide_mask m, const struct arc *yes, const struct arc *no, struct arc *out)
-{
-#pragma GCC unroll 4
-    for (int i = 0; i < 4; i++) {
-        out->x[i] = wide_select(m, yes->x[i], no->x[i]);
-        out->y[i] = wide_select(m, yes->y[i], no->y[i]);
-    }
-}
-
-/* Halves the arc that is farther from straight; what does not meet the other is dropped. */
 LANES_INLINE void push_halves(struct batch_chunk *z, struct batch_items *to, wide_mask which, wide at,
                               wide code_f, wide code_g, wide unit, const struct arc *f, const struct arc *g,
                               const struct cone *c)
 {
-    struct arc longer, other, half[2];
-    struct octagon part, beside;
-    wide_mask is_g = wide_less(c->f.bend, c->g.bend);
-    select_arc(is_g, g, f, &longer);
-    select_arc(is_g, f, g, &other);
-    halve(&longer, &half[0], &half[1]);
-    octagon_of(&other, &beside);
+    struct halved h;
+    halve_longer(code_f, code_g, unit, f, g, c, &h);
 #pragma GCC unroll 2
     for (int k = 0; k < 2; k++) {
-        octagon_of(&half[k], &part);
-        wide_mask meet = which & ~octagons_apart(&part, &beside, unit);
-        wide child_f = wide_select(is_g, code_f, wide_fma(code_f, wide_of(2), wide_of(k)));
-        wide child_g = wide_select(is_g, wide_fma(code_g, wide_of(2), wide_of(k)), code_g);
-        push_item(z, to, meet, at, child_f, child_g);
+        push_item(z, to, which & h.meet[k], at, h.f[k], h.g[k]);
     }
 }
 

@@ -32,7 +32,7 @@ static int node_stride(int n)
 
 static size_t level_length(int n, int m)
 {
-    return 3 * (size_t)(n + 1 + m + 1) + source_length(n) + source_length(m);
+    return 5 * (size_t)(n + 1 + m + 1) + source_length(n) + source_length(m);
 }
 
 size_t certified_scratch(int n, int m)
@@ -75,6 +75,8 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->level_numbers = at;
     z->levels = z->pairs = z->solved = 0;
     z->next_look = w->steps + FIRST_LOOK;
+    z->wider = 1;
+    z->turns = false;
     z->suspicions = z->looks = z->overlap_looks = z->rings = 0;
     z->narrow_t = p->bounds.tolerance_t;
     z->narrow_s = p->bounds.tolerance_s;
@@ -89,6 +91,7 @@ static void source_of(const struct curve *c, real scale, real node_error, struct
     out->n = c->degree;
     out->rational = c->w != NULL;
     out->points = c->x;
+    out->low = NULL;
     out->error = c->w ? REAL_EPSILON * scale : (real)0;
     out->node_error = node_error;
 }
@@ -111,6 +114,7 @@ static bool begin(struct solver *z)
     struct level *v = &z->level[0];
     real scale = real_max(p->bounds.scale, (real)1);
     v->scale = scale;
+    v->factor = 1;
     v->t.lo = v->s.lo = 0;
     v->t.hi = v->s.hi = 1;
     source_of(&p->f, scale, p->bounds.f, &v->f);
@@ -198,12 +202,28 @@ static bool have_little(const struct node *f, const struct node *g, const struct
     return 2 * common.rt <= worth * (f->hi - f->lo) || 2 * common.rs <= worth * (g->hi - g->lo);
 }
 
+/* Both may point back along their chords.  Where an overlap ends at a cusp of both, halves say nothing new
+ * before rounding hides them. */
+static enum verdict settle_turning(struct solver *z, struct pair *at)
+{
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    const real small = (real)1 / 256, tiny = least_width();
+    real product = (f->hi - f->lo) * (g->hi - g->lo);
+    if (at->level > 0 || product <= small) {
+        if (cusps_settle(z, at) == CLOSED) {
+            return CLOSED;
+        }
+    }
+    struct zero x = {(f->lo + f->hi) / 2, (g->lo + g->hi) / 2, (f->hi - f->lo) / 2, (g->hi - g->lo) / 2};
+    return z->out->overlaps > 0 && product <= tiny * tiny ? region_look(z, at->level, &x) : OPEN;
+}
+
 /* Arcs with parallel directions.  Looks for contacts rest for two splits when they fail. */
 static enum verdict settle_beside(struct solver *z, struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    const real small = (real)1 / 1024, tiny = (real)1 / 256;
+    const real small = (real)1 / 1024;
     struct graphs h;
     if (!f->wide && !g->wide && strips_apart(v, f, g)) {
         return CLOSED;
@@ -213,7 +233,7 @@ static enum verdict settle_beside(struct solver *z, struct pair *at)
         return OPEN;
     }
     if (f->wide && g->wide) {
-        return at->level > 0 || (f->hi - f->lo) * (g->hi - g->lo) <= tiny ? cusps_settle(z, at) : OPEN;
+        return settle_turning(z, at);
     }
     bool graphs = !f->wide && !g->wide && graphs_init(v, f, g, &h);
     if (graphs && (h.apart || overlap_holds(z, at->level, f, g, &h) ||
@@ -236,9 +256,10 @@ static enum verdict settle(struct solver *z, struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    if (z->solved + z->rings > 0) {
+    if (z->solved + z->rings + z->out->overlaps > 0) {
         struct interval t = level_t(v, f->lo, f->hi), s = level_s(v, g->lo, g->hi);
-        if (is_solved(z, at->level, &t, &s) || (z->rings > 0 && is_in_ring(z, &t, &s))) {
+        if (is_solved(z, at->level, &t, &s) || overlap_turns(z, &t, &s) ||
+            (z->rings > 0 && is_in_ring(z, &t, &s))) {
             return CLOSED;
         }
     }
@@ -265,7 +286,8 @@ static void look_for_overlaps(struct solver *z)
     int looser = z->overlap_looks == 0 ? 0 : z->overlap_looks == 1 ? 7 : 16;
     z->overlap_looks++;
     z->next_look = times * (z->next_look < first ? first : z->next_look);
-    if (overlap_find(z, looser)) {
+    bool late = z->w->steps >= times * first;
+    if ((late && overlap_widen(z)) || overlap_find(z, looser)) {
         z->out->count = 0;
         z->out->merged = false;
         z->outcome = SOLVED;
@@ -369,13 +391,25 @@ static enum outcome search_rest(const struct problem *p, const struct rest *rest
 }
 
 /* A front that refused the problem as it came may still take the prepared one. */
-static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+static enum outcome intersect_with(bool many, const struct problem *p, struct workspace *w,
+                                   struct crossings *out)
 {
     struct rest rest;
     if (p->rest) {
         return search_rest(p, p->rest, w, out);
     }
-    return front_of_prepared(p, w, out, &rest) ? search_rest(p, &rest, w, out) : intersect_scalar(p, w, out);
+    return front_of_prepared(many, p, w, out, &rest) ? search_rest(p, &rest, w, out)
+                                                     : intersect_scalar(p, w, out);
+}
+
+static enum outcome intersect(const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    return intersect_with(true, p, w, out);
+}
+
+static enum outcome intersect_avx2(const struct problem *p, struct workspace *w, struct crossings *out)
+{
+    return intersect_with(false, p, w, out);
 }
 
 #define REFERENCE                                                                                            \
@@ -391,6 +425,18 @@ const struct intersector certified = {
     .scratch = certified_scratch,
     .points_only = false,
     .front = front_of_certified,
+};
+
+extern const struct intersector certified_avx2;
+const struct intersector certified_avx2 = {
+    .name = "certified_avx2",
+    .summary = "the same without kernels for processors that have more than AVX2",
+    .reference = REFERENCE,
+    .claimed = {0, 0, 0, 0},
+    .intersect = intersect_avx2,
+    .scratch = certified_scratch,
+    .points_only = false,
+    .front = front_of_certified_avx2,
 };
 
 extern const struct intersector certified_scalar;

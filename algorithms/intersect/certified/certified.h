@@ -28,12 +28,14 @@ struct source {
     int n;
     bool rational;
     const real *points; /* homogeneous: x[0..n], y[0..n], and if rational w[0..n] */
-    real *value;        /* the same times C(n, i) */
-    real *slope;        /* of the derivative: n (c[i+1] - c[i]) C(n-1, i), n for each component */
-    real error;         /* of points */
-    real node_error;    /* of the points of a node */
-    real noise;         /* of source_at, point: for parameters in [0, 1] */
-    real slope_noise;   /* of source_at, derivative */
+    const real *low; /* of a polynomial curve of a level above 0: points + low err by fine_error; else NULL */
+    real fine_error;
+    real *value;      /* the same times C(n, i) */
+    real *slope;      /* of the derivative: n (c[i+1] - c[i]) C(n-1, i), n for each component */
+    real error;       /* of points */
+    real node_error;  /* of the points of a node */
+    real noise;       /* of source_at, point: for parameters in [0, 1] */
+    real slope_noise; /* of source_at, derivative */
 };
 
 /* The part of a source over [lo, hi].  Directions: f' = pace (convex combination of the directions) by the
@@ -68,6 +70,7 @@ struct tree {
 struct level {
     struct source f, g;
     struct interval t, s; /* of the problem's parameters */
+    real factor;          /* coordinates of the problem times this */
     real scale;           /* max |coordinate| of both, at least 1 */
     /* Of a level above 0: the record it stands for if it takes too long, how many records (-1: not begun),
      * pairs and solved rectangles there were before it, and steps left. */
@@ -108,6 +111,8 @@ struct solver {
     int root_f, root_g;
     int next_look; /* steps before overlaps are looked for (again) */
     int overlap_looks;
+    bool turns;              /* an overlap has a cusp */
+    real wider;              /* times the uncertainty of ends of overlaps at cusps */
     int suspicions;          /* so often a gap was no more than rounding */
     bool alone;              /* shared arcs are not looked for: loops.c */
     int looks;               /* closer looks at pairs that would be candidates */
@@ -192,6 +197,12 @@ enum verdict region_settle_all(struct solver *z, int level, const struct zero *x
 /* Only by a closer look; OPEN: there is none to be had, or no need. */
 enum verdict region_look_all(struct solver *z, int level, const struct zero *x, int at_most);
 
+/* Does the region, cut off at the ends of the domain, lie within the nodes? */
+bool region_is_whole(const struct solver *z, int level, const struct node *f, const struct node *g,
+                     const struct zero *x);
+/* The record of a region that is whole, without a closer look. */
+void region_record(struct solver *z, int level, const struct zero *x, int at_most, bool exists);
+
 /* Does what of the region is in the domain lie in a solved rectangle? */
 bool region_is_solved(const struct solver *z, int level, const struct zero *x);
 /* The same where nothing is proved: OPEN if there is no closer look to be had. */
@@ -242,6 +253,9 @@ void level_give_up(struct solver *z);
 /* Looks for a shared arc: arcs that are apart by rounding, times 2^looser; true: one was added to the
  * records. */
 bool overlap_find(struct solver *z, int looser);
+/* Cusps of shared arcs become less certain, overlap_ends.c; false: none was seen, or they are uncertain
+ * enough. */
+bool overlap_widen(struct solver *z);
 
 /* ---- point.c ---- */
 

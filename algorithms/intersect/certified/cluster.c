@@ -10,60 +10,7 @@
  * and modelled again: like gap clipping, of order 6 / k at a solution of multiplicity k;
  * - if rounding does, and the p-th derivative has one sign on it, G has at most p zeros there, with
  * multiplicity (Rolle): a CLUSTER of p; or for p = 1 a single zero. */
-#include "../../core/roots.h"
 #include "gap_model.h"
-
-struct stretch {
-    real lo, hi; /* of the free node */
-};
-
-enum { STRETCHES_MAX = 8, ROOTS_SCRATCH = 32 + 2 * (REAL_BITS + 16) };
-
-static int stretches(const struct gap_model *c, struct stretch *out)
-{
-    struct ball g[SERIES + 1];
-    real value[SERIES + 1], error[SERIES + 1], scratch[ROOTS_SCRATCH];
-    struct root root[STRETCHES_MAX];
-    gap_model_bernstein(c, 0, 0, 1, g);
-    for (int i = 0; i <= SERIES; i++) {
-        value[i] = g[i].mid;
-        error[i] = g[i].rad;
-    }
-    int count = roots_find(SERIES, value, error, REAL_EPSILON, scratch, STRETCHES_MAX, root);
-    for (int i = 0; i < count; i++) {
-        out[i].lo = root[i].lo;
-        out[i].hi = root[i].hi;
-    }
-    return count;
-}
-
-/* Is rounding of the points, not the remainder, what hides G there? */
-static bool is_limited(const struct gap_model *c, const struct stretch *s)
-{
-    const int many = 4;
-    real d = real_max(c->at - s->lo, s->hi - c->at), dd = d * d;
-    return c->gap.c[SERIES].rad * (dd * dd * dd) <= c->noise && c->gap.c[0].rad <= many * c->noise;
-}
-
-/* The least p for which G^(p) has one sign on the stretch; 0: none.  size: at most |G^(p)| / p!. */
-static int order_on(const struct gap_model *c, const struct stretch *s, real *size)
-{
-    for (int p = 1; p <= SERIES; p++) {
-        struct ball g[SERIES + 1];
-        gap_model_bernstein(c, p, s->lo, s->hi, g);
-        int up = 0, down = 0;
-        *size = 0;
-        for (int i = 0; i <= SERIES - p; i++) {
-            up += g[i].mid > g[i].rad;
-            down += -g[i].mid > g[i].rad;
-            *size = real_max(*size, ball_most(g[i]));
-        }
-        if (up > SERIES - p || down > SERIES - p) {
-            return p;
-        }
-    }
-    return 0;
-}
 
 /* Would a narrower pair, whose points are cut, tell no more?  G changes by no more than size d^p over d. */
 static bool is_all(const struct gap_model *c, const struct stretch *s, int p, real size)
@@ -76,39 +23,17 @@ static bool is_all(const struct gap_model *c, const struct stretch *s, int p, re
     return size <= many * c->noise;
 }
 
-/* Does G have opposite signs at the ends of the node? */
-static bool changes_sign(const struct gap_model *c)
-{
-    struct ball g[SERIES + 1];
-    gap_model_bernstein(c, 0, 0, 1, g);
-    const struct ball *a = &g[0], *b = &g[SERIES];
-    return ball_least(*a) > 0 && ball_least(*b) > 0 && (a->mid > 0) != (b->mid > 0);
-}
-
-/* From own parameters of the nodes to a region of the level. */
-static void region_of(const struct gap_model *c, const struct stretch *s, const struct node *loose,
-                      const struct node *graph, bool f_is_graph, struct zero *out)
-{
-    real as, rs, wide = loose->hi - loose->lo, across = graph->hi - graph->lo;
-    gap_model_place(c, s->lo, s->hi, &as, &rs);
-    real t = loose->lo + wide * ((s->lo + s->hi) / 2), rt = wide * ((s->hi - s->lo) / 2) + REAL_EPSILON;
-    real at = graph->lo + across * as, rat = across * rs + REAL_EPSILON;
-    out->t = f_is_graph ? at : t;
-    out->rt = f_is_graph ? rat : rt;
-    out->s = f_is_graph ? t : at;
-    out->rs = f_is_graph ? rt : rat;
-}
-
 static enum verdict settle_stretch(struct solver *z, const struct pair *at, const struct gap_model *c,
-                                   bool f_is_graph, const struct stretch *s, int most)
+                                   const struct stretch *s, int most)
 {
+    const struct stretch whole = {0, 1};
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     const real worth = (real)0.5;
     struct zero x, found;
-    region_of(c, s, f_is_graph ? g : f, f_is_graph ? f : g, f_is_graph, &x);
+    gap_region(c, s, f, g, &x);
     real size;
-    int p = order_on(c, s, &size);
-    bool limited = is_limited(c, s) || (p > 0 && p <= 2 && is_all(c, s, p, size));
+    int p = gap_order(c, s, &size);
+    bool limited = gap_is_limited(c, s) || (p > 0 && p <= 2 && is_all(c, s, p, size));
     p = limited ? p : 0;
     if (p > most) {
         return OPEN;
@@ -121,7 +46,7 @@ static enum verdict settle_stretch(struct solver *z, const struct pair *at, cons
             return CLOSED;
         }
     }
-    if (p && region_settle(z, at->level, f, g, &x, p, p == 1 && changes_sign(c)) == CLOSED) {
+    if (p && region_settle(z, at->level, f, g, &x, p, p == 1 && gap_crosses(c, s, &whole)) == CLOSED) {
         return CLOSED;
     }
     if (limited) {
@@ -132,8 +57,8 @@ static enum verdict settle_stretch(struct solver *z, const struct pair *at, cons
 }
 
 /* Several: the pair is divided between them. */
-static enum verdict divide(struct solver *z, const struct pair *at, const struct gap_model *c,
-                           bool f_is_graph, int count, const struct stretch *s)
+static enum verdict divide(struct solver *z, const struct pair *at, const struct gap_model *c, int count,
+                           const struct stretch *s)
 {
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     int pairs = z->pairs;
@@ -141,7 +66,7 @@ static enum verdict divide(struct solver *z, const struct pair *at, const struct
         struct stretch part = {i > 0 ? (s[i - 1].hi + s[i].lo) / 2 : (real)0,
                                i < count - 1 ? (s[i].hi + s[i + 1].lo) / 2 : (real)1};
         struct zero x;
-        region_of(c, &part, f_is_graph ? g : f, f_is_graph ? f : g, f_is_graph, &x);
+        gap_region(c, &part, f, g, &x);
         if (pair_narrow(z, at, &x) == OPEN) {
             z->pairs = pairs;
             return OPEN;
@@ -150,16 +75,56 @@ static enum verdict divide(struct solver *z, const struct pair *at, const struct
     return CLOSED;
 }
 
-static enum verdict settle_stretches(struct solver *z, const struct pair *at, const struct gap_model *c,
-                                     bool f_is_graph, int most)
+/* Is the region of the stretch as narrow as asked, all of it within the nodes? */
+static bool is_enough(const struct solver *z, const struct pair *at, const struct gap_model *c,
+                      const struct stretch *s)
 {
-    struct stretch s[STRETCHES_MAX];
-    int count = stretches(c, s);
-    if (count == 0) {
+    const struct level *v = &z->level[at->level];
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    struct zero x;
+    gap_region(c, s, f, g, &x);
+    return 2 * x.rt * (v->t.hi - v->t.lo) <= z->p->bounds.tolerance_t &&
+           2 * x.rs * (v->s.hi - v->s.lo) <= z->p->bounds.tolerance_s &&
+           region_is_whole(z, at->level, f, g, &x);
+}
+
+/* A pair that is a whole level, where something else than a simple zero is hidden: with twice the digits. But
+ * if the arcs may be one, that is looked at first, once, and the pair taken up again. */
+static enum verdict look_sharply(struct solver *z, const struct pair *at, const struct gap_model *c, int most,
+                                 int count, const struct stretch *s)
+{
+    const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
+    bool simple = true, suspect = false;
+    if (at->level == 0 || f->hi - f->lo < 1 || g->hi - g->lo < 1) {
+        return OPEN;
+    }
+    for (int i = 0; i < count; i++) {
+        real size;
+        int p = gap_order(c, &s[i], &size);
+        bool known =
+            count == 1 && p > 0 && p <= most && gap_is_limited(c, &s[i]) && is_enough(z, at, c, &s[i]);
+        simple = simple && (p == 1 || known);
+        suspect = suspect || p == 0;
+    }
+    if (!simple && suspect && !z->alone && z->suspicions == 0) {
+        z->suspicions++;
+        z->next_look = z->w->steps;
+        pair_push(z, at->level, at->f, at->g, 0);
         return CLOSED;
     }
-    return count == 1 ? settle_stretch(z, at, c, f_is_graph, &s[0], most)
-                      : divide(z, at, c, f_is_graph, count, s);
+    return simple ? OPEN : cluster_sharpen(z, at, c, most, count, s);
+}
+
+static enum verdict settle_stretches(struct solver *z, const struct pair *at, const struct gap_model *c,
+                                     int most)
+{
+    const struct stretch whole = {0, 1};
+    struct stretch s[STRETCHES_MAX];
+    int count = gap_stretches(c, &whole, s);
+    if (count == 0 || look_sharply(z, at, c, most, count, s) == CLOSED) {
+        return CLOSED;
+    }
+    return count == 1 ? settle_stretch(z, at, c, &s[0], most) : divide(z, at, c, count, s);
 }
 
 enum verdict cluster_settle(struct solver *z, const struct pair *at, int most)
@@ -168,10 +133,9 @@ enum verdict cluster_settle(struct solver *z, const struct pair *at, int most)
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     for (int way = 0; way < 2; way++) {
         struct gap_model c;
-        bool f_is_graph = way;
-        bool made =
-            f_is_graph ? gap_model_init(&v->g, g, &v->f, f, &c) : gap_model_init(&v->f, f, &v->g, g, &c);
-        if (made && settle_stretches(z, at, &c, f_is_graph, most) == CLOSED) {
+        c.f_is_graph = way;
+        bool made = way ? gap_model_init(&v->g, g, &v->f, f, &c) : gap_model_init(&v->f, f, &v->g, g, &c);
+        if (made && settle_stretches(z, at, &c, most) == CLOSED) {
             return CLOSED;
         }
     }

@@ -101,6 +101,11 @@ static enum verdict settle_region(const struct side *c, const struct gap_view *a
     if (region.rt > small * (c->f->hi - c->f->lo) || region.rs > small * (c->g->hi - c->g->lo)) {
         return OPEN; /* half the arcs may do better */
     }
+    const real wide = (real)1 / 64;
+    bool whole = c->level > 0 && c->f->hi - c->f->lo == 1 && c->g->hi - c->g->lo == 1;
+    if (whole && c->v->f.low && c->v->g.low && real_max(region.rt, region.rs) > wide) {
+        return OPEN; /* there are more digits to be had (cluster_fine.c) */
+    }
     return region_settle(c->z, c->level, c->f, c->g, &region, 2, false);
 }
 

@@ -80,13 +80,9 @@ AVX2_INLINE void solve(struct kernel *k, bool raised)
     k->last_step = z->steps + (allowed < STEPS_OF_KERNEL ? allowed : (int)STEPS_OF_KERNEL);
     z->steps++;
     enum verdict verdict = settle(k, &k->f->part[0], &k->g->part[0]);
-    if (verdict == LEFT) {
+    if (verdict == LEFT || verdict == BESIDE) { /* whole curves side by side mostly touch, or nearly */
         leave(k, &k->f->part[0], &k->g->part[0]);
     } else if (verdict != CLOSED) {
-        if (verdict == BESIDE) {
-            const struct pair_of_parts whole = {&k->f->part[0], &k->g->part[0]};
-            trial_begin(k, whole);
-        }
         split_whole(k);
         work(k);
     }
@@ -124,11 +120,14 @@ FATLINE_AVX2 bool front_cubic_avx2(struct front *z)
 }
 
 /* Not in line: pairs that are apart are not to pay for it. */
-FATLINE_AVX2 __attribute__((noinline)) static enum front_answer
-meet(struct kernel *k, const struct problem *p, struct workspace *w, struct crossings *out, struct rest *rest)
+FATLINE_AVX2 __attribute__((noinline)) static enum front_answer meet(struct kernel *k, bool many,
+                                                                     const struct problem *p,
+                                                                     struct workspace *w,
+                                                                     struct crossings *out, struct rest *rest)
 {
     struct front z;
     bool swapped = front_open(&z, p, out, rest);
+    z.many &= many;
     k->f = swapped ? &k->second : &k->first;
     k->g = swapped ? &k->first : &k->second;
     k->z = &z;
@@ -136,8 +135,8 @@ meet(struct kernel *k, const struct problem *p, struct workspace *w, struct cros
     return front_close(&z, swapped, w);
 }
 
-FATLINE_AVX2 enum front_answer front_cubics_avx2(const struct problem *p, struct workspace *w,
-                                                 struct crossings *out, struct rest *rest)
+AVX2_INLINE enum front_answer cubics(bool many, const struct problem *p, struct workspace *w,
+                                     struct crossings *out, struct rest *rest)
 {
     struct kernel k;
     __m256d fx = _mm256_loadu_pd(p->f.x), fy = _mm256_loadu_pd(p->f.y), gx = _mm256_loadu_pd(p->g.x),
@@ -153,7 +152,19 @@ FATLINE_AVX2 enum front_answer front_cubics_avx2(const struct problem *p, struct
         return FRONT_DONE;
     }
     begin(&k, unit, f, g);
-    return meet(&k, p, w, out, rest);
+    return meet(&k, many, p, w, out, rest);
+}
+
+FATLINE_AVX2 enum front_answer front_cubics(const struct problem *p, struct workspace *w,
+                                            struct crossings *out, struct rest *rest)
+{
+    return cubics(true, p, w, out, rest);
+}
+
+FATLINE_AVX2 enum front_answer front_cubics_avx2(const struct problem *p, struct workspace *w,
+                                                 struct crossings *out, struct rest *rest)
+{
+    return cubics(false, p, w, out, rest);
 }
 
 #endif

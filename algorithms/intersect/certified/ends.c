@@ -377,6 +377,39 @@ void region_solved(struct solver *z, int level, const struct zero *x)
     }
 }
 
+bool region_is_whole(const struct solver *z, int level, const struct node *f, const struct node *g,
+                     const struct zero *x)
+{
+    const struct level *v = &z->level[level];
+    return inside(f, x->t, x->rt) && inside(g, x->s, x->rs) && !is_cut(&v->t, x->t, x->rt) &&
+           !is_cut(&v->s, x->s, x->rs);
+}
+
+/* The record of a region that is whole. */
+static struct crossing record_of(const struct interval *t, const struct interval *s, int at_most, bool exists)
+{
+    struct crossing c = {*t, *s, CLUSTER, at_most, 0};
+    if (exists) {
+        c.standing = near_end(t) || near_end(s) ? END : UNIQUE;
+        c.multiplicity = c.standing == UNIQUE && at_most == 1;
+    }
+    return c;
+}
+
+void region_record(struct solver *z, int level, const struct zero *x, int at_most, bool exists)
+{
+    const struct level *v = &z->level[level];
+    struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
+    cut_off(&t);
+    cut_off(&s);
+    if (t.lo > t.hi || s.lo > s.hi || is_solved(z, level, &t, &s)) {
+        return;
+    }
+    struct crossing c = record_of(&t, &s, at_most, exists);
+    record_add(z, &c);
+    solved_add(z, &t, &s, 0);
+}
+
 /* whole: it holds at most so many all over. */
 static enum verdict settle_region(struct solver *z, int level, const struct zero *x, int at_most, bool exists,
                                   bool whole)
@@ -389,18 +422,17 @@ static enum verdict settle_region(struct solver *z, int level, const struct zero
         return CLOSED;
     }
     bool narrow = t.hi - t.lo <= z->p->bounds.tolerance_t && s.hi - s.lo <= z->p->bounds.tolerance_s;
-    struct crossing c = {t, s, whole ? CLUSTER : CANDIDATE, whole ? at_most : 0, 0};
-    if (whole && exists) {
-        c.standing = near_end(&t) || near_end(&s) ? END : UNIQUE;
-        c.multiplicity = c.standing == UNIQUE && at_most == 1;
-    }
+    const struct crossing open = {t, s, CANDIDATE, 0, 0};
+    struct crossing c = whole ? record_of(&t, &s, at_most, exists) : open;
     const real shorter = (real)1 / 16;
     /* two solutions are told apart, or from none, at any tolerance */
     bool look = !whole || !narrow || (level == 0 && at_most <= 2);
     if (look && is_busy(z, level)) {
         return OPEN;
     }
-    if (look && zoom(z, level, x, whole ? shorter : (real)1, &c)) {
+    /* level 1 knows more digits, however wide it is */
+    bool digits = level == 0 && !v->f.rational && !v->g.rational;
+    if (look && zoom(z, level, x, whole && !digits ? shorter : (real)1, &c)) {
         return CLOSED;
     }
     if (!narrow && !whole) {
@@ -416,10 +448,7 @@ static enum verdict settle_region(struct solver *z, int level, const struct zero
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                            const struct zero *x, int at_most, bool exists)
 {
-    const struct level *v = &z->level[level];
-    bool whole = inside(f, x->t, x->rt) && inside(g, x->s, x->rs) && !is_cut(&v->t, x->t, x->rt) &&
-                 !is_cut(&v->s, x->s, x->rs);
-    return settle_region(z, level, x, at_most, exists, whole);
+    return settle_region(z, level, x, at_most, exists, region_is_whole(z, level, f, g, x));
 }
 
 enum verdict region_settle_all(struct solver *z, int level, const struct zero *x, int at_most)

@@ -10,6 +10,16 @@ static bool has_avx2(void)
 }
 #endif
 
+/* Are there kernels for many pairs of parts at once? */
+static bool has_many(void)
+{
+#ifdef FATLINE_AVX2
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+#endif
+    return false;
+}
+
 bool front_run(struct front *z)
 {
 #ifdef FATLINE_AVX2
@@ -75,6 +85,7 @@ bool front_open(struct front *z, const struct problem *p, struct crossings *out,
     z->tolerance_t = z->tolerance_s = real_min(widest, real_max(narrowest, p->tolerance));
     z->steps = 0;
     z->max_steps = p->max_steps;
+    z->many = has_many();
     z->out = out;
     z->rest = rest;
     rest->count = 0;
@@ -92,30 +103,59 @@ enum front_answer front_close(const struct front *z, bool swapped, struct worksp
     return FRONT_DONE;
 }
 
-enum front_answer front_of_certified(const struct problem *p, struct workspace *w, struct crossings *out,
-                                     struct rest *rest)
+/* Not in line: pairs of cubics are not to pay for it. */
+__attribute__((noinline)) static enum front_answer front_of_any(bool many, const struct problem *p,
+                                                                struct workspace *w, struct crossings *out,
+                                                                struct rest *rest)
 {
-#ifdef FATLINE_AVX2
-    if (p->f.degree == 3 && p->g.degree == 3 && has_avx2()) {
-        return front_cubics_avx2(p, w, out, rest);
-    }
-#endif
     struct front z;
     if (!front_is_plain(p) || p->f.degree < 1 || p->g.degree < 1 || p->f.degree > DEGREE_MAX ||
         p->g.degree > DEGREE_MAX) {
         return FRONT_REFUSED;
     }
     bool swapped = front_open(&z, p, out, rest);
+    z.many &= many;
     z.scratch = w->scratch;
     z.scratch_length = w->scratch_length;
     return front_run(&z) ? front_close(&z, swapped, w) : FRONT_REFUSED;
 }
 
-bool front_of_prepared(const struct problem *p, struct workspace *w, struct crossings *out, struct rest *rest)
+enum front_answer front_of_certified(const struct problem *p, struct workspace *w, struct crossings *out,
+                                     struct rest *rest)
 {
-    struct front z = {
-        &p->f, &p->g,      p->bounds.tolerance_t, p->bounds.tolerance_s, w->steps, p->max_steps, out,
-        rest,  w->scratch, w->scratch_length};
+#ifdef FATLINE_AVX2
+    if (p->f.degree == 3 && p->g.degree == 3 && has_avx2()) {
+        return front_cubics(p, w, out, rest);
+    }
+#endif
+    return front_of_any(true, p, w, out, rest);
+}
+
+enum front_answer front_of_certified_avx2(const struct problem *p, struct workspace *w, struct crossings *out,
+                                          struct rest *rest)
+{
+#ifdef FATLINE_AVX2
+    if (p->f.degree == 3 && p->g.degree == 3 && has_avx2()) {
+        return front_cubics_avx2(p, w, out, rest);
+    }
+#endif
+    return front_of_any(false, p, w, out, rest);
+}
+
+bool front_of_prepared(bool many, const struct problem *p, struct workspace *w, struct crossings *out,
+                       struct rest *rest)
+{
+    struct front z = {&p->f,
+                      &p->g,
+                      p->bounds.tolerance_t,
+                      p->bounds.tolerance_s,
+                      w->steps,
+                      p->max_steps,
+                      out,
+                      rest,
+                      many && has_many(),
+                      w->scratch,
+                      w->scratch_length};
     rest->count = 0;
     if (p->f.w || p->g.w || !front_run(&z)) {
         return false;

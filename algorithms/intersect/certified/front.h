@@ -25,6 +25,7 @@ struct front {
     int steps, max_steps;          /* taken: the kernel counts them; at most so many */
     struct crossings *out;         /* records are added, with t and s as for f and g */
     struct rest *rest;
+    bool many;     /* kernels for many pairs of parts at once may be used */
     real *scratch; /* memory of the call, of scratch_length numbers */
     size_t scratch_length;
 };
@@ -99,11 +100,14 @@ bool front_run(struct front *z);
 /* Numbers of scratch memory that a kernel for these degrees may need. */
 size_t front_scratch(int n, int m);
 
-/* The front of `certified` (struct intersector). */
+/* The fronts of `certified` and, without kernels for many pairs of parts, `certified_avx2` (struct
+ * intersector). */
 enum front_answer front_of_certified(const struct problem *p, struct workspace *w, struct crossings *out,
                                      struct rest *rest);
+enum front_answer front_of_certified_avx2(const struct problem *p, struct workspace *w, struct crossings *out,
+                                          struct rest *rest);
 /* The same for a prepared problem; true: `rest`, perhaps empty, is all that is left. */
-bool front_of_prepared(const struct problem *p, struct workspace *w, struct crossings *out,
+bool front_of_prepared(bool many, const struct problem *p, struct workspace *w, struct crossings *out,
                        struct rest *rest);
 
 /* ---- kernels, each in files of its own; false: it does not take these numbers ---- */
@@ -114,6 +118,8 @@ FATLINE_AVX2 bool front_cubic_avx2(struct front *z); /* degrees 1 to 3 */
 FATLINE_AVX2 bool front_any_avx2(struct front *z);   /* any; it needs scratch */
 size_t front_any_scratch(int n, int m);              /* so many numbers */
 /* The front of `certified` for two cubics: pairs that are apart cost little more than reading them. */
+FATLINE_AVX2 enum front_answer front_cubics(const struct problem *p, struct workspace *w,
+                                            struct crossings *out, struct rest *rest);
 FATLINE_AVX2 enum front_answer front_cubics_avx2(const struct problem *p, struct workspace *w,
                                                  struct crossings *out, struct rest *rest);
 #endif

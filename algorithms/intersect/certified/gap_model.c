@@ -202,28 +202,30 @@ static real distance_at(const struct gap_model *c, real at)
 }
 
 /* The middle; or, where the graph does not reach so far, an end: then little of the two is side by side. */
-static void choose_centre(struct gap_model *c)
+static real choose_centre(const struct gap_model *c)
 {
     const real small = (real)1 / 16;
-    real least = distance_at(c, (real)0.5) * small;
-    c->at = (real)0.5;
+    real least = distance_at(c, (real)0.5) * small, at = (real)0.5;
     for (int end = 0; end <= 1 && least > c->noise; end++) {
         real distance = distance_at(c, end);
         if (distance < least) {
             least = distance;
-            c->at = end;
+            at = end;
         }
     }
+    return at;
 }
 
 /* The Taylor coefficients of G at `at`.  gamma's series belongs to the abscissa of `as`, which is h less than
  * X(at): its coefficients at X(at) differ by less than |h| (j + 1) gamma_(j+1) over the node, and G_0 by
  * gamma_1 h + gamma_2 h^2. */
-static bool centre(struct gap_model *c, const struct series *range)
+bool gap_model_centre(struct gap_model *c, real at)
 {
+    const struct series *range = &c->range;
     struct series y, gamma;
     struct ball gx, slope;
     real run;
+    c->at = at;
     node_series(&c->loose, c->at, &c->x, &y);
     c->as = graph_parameter(&c->graph, c->x.c[0].mid, (real)0.5);
     component_at(&c->graph, c->as, &gx, &slope);
@@ -231,11 +233,13 @@ static bool centre(struct gap_model *c, const struct series *range)
         return false;
     }
     struct ball h = ball_subtract(c->x.c[0], gx);
-    c->off = ball_most(h);
+    real off = ball_most(h);
+    c->ahead = h.mid;
+    c->far = 64 * h.rad;
     struct ball constant = ball_subtract(ball_subtract(y.c[0], gamma.c[0]), ball_multiply(gamma.c[1], h));
-    constant.rad += ball_most(range->c[2]) * c->off * c->off;
+    constant.rad += ball_most(range->c[2]) * off * off;
     for (int j = 1; j < SERIES; j++) {
-        gamma.c[j].rad += c->off * (j + 1) * ball_most(range->c[j + 1]) * (1 + 8 * REAL_EPSILON);
+        gamma.c[j].rad += off * (j + 1) * ball_most(range->c[j + 1]) * (1 + 8 * REAL_EPSILON);
     }
     struct ball last = c->gap.c[SERIES];
     subtract_graph(&c->x, &y, &gamma, &c->gap);
@@ -252,22 +256,25 @@ bool gap_model_init(const struct source *free_of, const struct node *free_node, 
     real first = graph_of->rational ? y[n + 1] : (real)1, last = graph_of->rational ? y[2 * n + 1] : (real)1;
     real x0 = x[0] / first, y0 = y[0] / first, ex = x[n] / last - x0, ey = y[n] / last - y0;
     real length = real_sqrt(ex * ex + ey * ey);
-    struct series range, px, py;
+    struct series px, py;
     if (graph->wide || !(length > 0)) {
         return false;
     }
-    frame_node(graph_of, graph, ex / length, ey / length, x0, y0, &out->graph);
-    frame_node(free_of, free_node, ex / length, ey / length, x0, y0, &out->loose);
-    if (!graph_series(&out->graph, -1, &range, &out->run)) {
+    out->ex = ex / length;
+    out->ey = ey / length;
+    out->x0 = x0;
+    out->y0 = y0;
+    frame_node(graph_of, graph, out->ex, out->ey, x0, y0, &out->graph);
+    frame_node(free_of, free_node, out->ex, out->ey, x0, y0, &out->loose);
+    if (!graph_series(&out->graph, -1, &out->range, &out->run)) {
         return false;
     }
-    graph_continue(&range, reach_beyond(&out->loose, &out->graph));
+    graph_continue(&out->range, reach_beyond(&out->loose, &out->graph));
     node_series(&out->loose, -1, &px, &py);
-    subtract_graph(&px, &py, &range, &out->gap);
+    subtract_graph(&px, &py, &out->range, &out->gap);
     out->swing = ball_most(px.c[SERIES]);
     out->noise = 3 * (free_of->node_error + graph_of->node_error);
-    choose_centre(out);
-    if (!centre(out, &range)) {
+    if (!gap_model_centre(out, choose_centre(out))) {
         return false;
     }
     bool finite = true;
@@ -292,18 +299,20 @@ static int choose(int n, int k)
 /* A polynomial in powers of d, about the middle of [lo, hi], by Horner's rule in Bernstein form: the product
  * with d, whose coefficients are -half and half, has coefficient i of degree k + 1 the mean of half c[i-1]
  * and -half c[i] with weights i / (k + 1) and 1 - i / (k + 1).  So no power of d counts for more than its
- * largest value. */
+ * largest value.  The middle, its distance from `at` and half err by u of themselves each, which counts where
+ * [lo, hi] is narrow: the shift by less than eps (|middle| + |shift|), half times a quotient by 1.5 eps. */
 void gap_model_bernstein(const struct gap_model *c, int p, real lo, real hi, struct ball *out)
 {
     int n = SERIES - p;
     struct ball a[SERIES + 1] = {{0, 0}};
-    real shift = (lo + hi) / 2 - c->at, half = (hi - lo) / 2;
+    real middle = (lo + hi) / 2, half = (hi - lo) / 2, away = middle - c->at;
+    struct ball shift = ball_of(away, REAL_EPSILON * (middle + real_abs(away)));
     for (int k = 0; k <= n; k++) {
         a[k] = ball_multiply(c->gap.c[k + p], ball_of(choose(k + p, p), 0));
     }
-    for (int k = 0; k < n && shift != 0; k++) { /* to powers about the middle */
+    for (int k = 0; k < n && (away != 0 || lo > 0); k++) { /* to powers about the middle */
         for (int j = n - 1; j >= k; j--) {
-            a[j] = ball_add(a[j], ball_multiply(a[j + 1], ball_of(shift, 0)));
+            a[j] = ball_add(a[j], ball_multiply(a[j + 1], shift));
         }
     }
     out[0] = a[n];
@@ -312,30 +321,49 @@ void gap_model_bernstein(const struct gap_model *c, int p, real lo, real hi, str
         for (int i = k + 1; i >= 0; i--) {
             real up = half * ((real)i / (real)(k + 1)), down = -half * ((real)(k + 1 - i) / (real)(k + 1));
             struct ball left =
-                i > 0 ? ball_multiply(out[i - 1], ball_of(up, REAL_EPSILON * up)) : ball_of(0, 0);
-            struct ball right = ball_multiply(out[i], ball_of(down, -REAL_EPSILON * down));
+                i > 0 ? ball_multiply(out[i - 1], ball_of(up, 2 * REAL_EPSILON * up)) : ball_of(0, 0);
+            struct ball right = ball_multiply(out[i], ball_of(down, -2 * REAL_EPSILON * down));
             out[i] = ball_add(ball_add(left, right), a[n - 1 - k]);
         }
     }
 }
 
-/* With c the middle of [lo, hi], r half its width and D the largest |d| in it: |X(t) - X(c)| <= sum of k
- * |X_k| D^(k-1) r, k < SERIES, and the last terms of both. */
-void gap_model_place(const struct gap_model *c, real lo, real hi, real *as, real *rs)
+/* X over [lo, hi] is within `more` of x.  With c the middle of [lo, hi], r half its width and D the largest
+ * |d| in it: |X(t) - X(c)| <= sum of k |X_k| D^(k-1) r, k < SERIES, and the last terms of both.  c rounds to
+ * 2 eps; the sum to less than 16 eps of its terms' sizes. */
+static real abscissas(const struct gap_model *c, real lo, real hi, real *more)
 {
-    real middle = (lo + hi) / 2, r = (hi - lo) / 2, step = middle - c->at, most = real_abs(step) + r;
-    real x = c->x.c[0].mid, power = step, more = c->x.c[0].rad, high = 1;
+    real middle = (lo + hi) / 2, r = (hi - lo) / 2 + 2 * REAL_EPSILON * middle;
+    real step = middle - c->at, most = real_abs(step) + r;
+    real x = c->x.c[0].mid, power = step, rad = c->x.c[0].rad, high = 1, size = real_abs(x);
     for (int k = 1; k < SERIES; k++) {
         x += c->x.c[k].mid * power;
+        size += real_abs(c->x.c[k].mid * power);
         power = power * step;
-        more += k * ball_most(c->x.c[k]) * high * r;
+        rad += k * ball_most(c->x.c[k]) * high * r;
         high = high * most;
-        more += c->x.c[k].rad * high;
+        rad += c->x.c[k].rad * high;
     }
-    more += 2 * c->swing * high * most;
+    *more = (rad + 2 * c->swing * high * most + 16 * REAL_EPSILON * size) * (1 + 64 * REAL_EPSILON);
+    return x;
+}
+
+void gap_model_place(const struct gap_model *c, real lo, real hi, real *as, real *rs)
+{
+    real more, x = abscissas(c, lo, hi, &more);
     *as = graph_parameter(&c->graph, x, c->as);
     struct ball gx, slope;
     component_at(&c->graph, *as, &gx, &slope);
-    *rs = (more + real_abs(x - gx.mid) + gx.rad + 16 * REAL_EPSILON * ball_most(gx)) / c->run *
-          (1 + 64 * REAL_EPSILON);
+    *rs = (more + real_abs(x - gx.mid) + gx.rad) / c->run * (1 + 64 * REAL_EPSILON);
+}
+
+enum reach gap_model_reach(const struct gap_model *c, real lo, real hi)
+{
+    const struct framed *g = &c->graph;
+    real more, x = abscissas(c, lo, hi, &more), error = 2 * g->error;
+    real first = g->c[0][0] / g->c[2][0], last = g->c[0][g->n] / g->c[2][g->n];
+    more += error + 4 * REAL_EPSILON * (real_abs(x) + more + real_abs(first) + real_abs(last));
+    return x + more < first || x - more > last   ? BEYOND
+           : x - more > first && x + more < last ? INSIDE
+                                                 : ACROSS;
 }

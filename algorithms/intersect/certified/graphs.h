@@ -52,7 +52,11 @@ enum verdict contact_settle(struct solver *z, int level, const struct node *f, c
 /* most: clusters of more are not worth it, and the pair stays open. */
 enum verdict cluster_settle(struct solver *z, const struct pair *at, int most);
 enum verdict cusps_settle(struct solver *z, const struct pair *at);
+/* Are all solutions of the pair in the rectangle of an overlap, on its arc? */
 bool overlap_holds(const struct solver *z, int level, const struct node *f, const struct node *g,
                    const struct graphs *h);
+/* Is the rectangle, in the problem's parameters, in that of an overlap, at a cusp of both curves?
+ * (overlap_ends.c) */
+bool overlap_turns(struct solver *z, const struct interval *t, const struct interval *s);
 
 #endif

@@ -41,6 +41,50 @@ static real square_distance(const struct source *c, real t, real x, real y)
     return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y);
 }
 
+/* Parameter of the point of c nearest to (x, y), from *t, and how far it is; at a cusp, which Gauss and
+ * Newton's method approaches slowly, by the derivative's zero. */
+static real match(const struct source *c, real x, real y, real near, real *t)
+{
+    const real nearby = real_ldexp(1, -REAL_BITS / 6);
+    struct spot p;
+    real distance = source_match(c, x, y, 0, 1, t), at = *t;
+    if (!source_cusp(c, &at) || real_abs(at - *t) > nearby) {
+        return distance;
+    }
+    source_at(c, at, &p);
+    real there = real_max(real_abs(p.x - x), real_abs(p.y - y));
+    if (there > real_max(near, distance)) {
+        return distance;
+    }
+    *t = at;
+    return there;
+}
+
+/* From parameter i / steps; and from its neighbours too where the curve turns back between them. */
+static bool match_about(const struct source *c, real x, real y, real near, int i, int steps, real *t)
+{
+    *t = (real)i / (real)steps;
+    if (match(c, x, y, near, t) <= near) {
+        return true;
+    }
+    if (i == 0 || i == steps) {
+        return false;
+    }
+    struct spot p, q;
+    real before = (real)(i - 1) / (real)steps, after = (real)(i + 1) / (real)steps;
+    source_at(c, before, &p);
+    source_at(c, after, &q);
+    if (p.dx * q.dx + p.dy * q.dy > 0) {
+        return false;
+    }
+    *t = before;
+    if (match(c, x, y, near, t) <= near) {
+        return true;
+    }
+    *t = after;
+    return match(c, x, y, near, t) <= near;
+}
+
 /* Where `other` passes within `near` of an end of c. */
 static void places_of_end(const struct source *c, real end, const struct source *other, real near,
                           bool c_is_f, struct places *out)
@@ -51,8 +95,8 @@ static void places_of_end(const struct source *c, real end, const struct source 
     real before = REAL_HUGE, now = square_distance(other, 0, p.x, p.y);
     for (int i = 0; i <= steps; i++) {
         real next = i < steps ? square_distance(other, (real)(i + 1) / (real)steps, p.x, p.y) : REAL_HUGE;
-        real at = (real)i / (real)steps;
-        if (now <= before && now <= next && source_match(other, p.x, p.y, 0, 1, &at) <= near) {
+        real at;
+        if (now <= before && now <= next && match_about(other, p.x, p.y, near, i, steps, &at)) {
             place_add(out, c_is_f ? end : at, c_is_f ? at : end);
         }
         before = now;
@@ -60,32 +104,7 @@ static void places_of_end(const struct source *c, real end, const struct source 
     }
 }
 
-/* ---- records ---- */
-
-static struct interval widened(real a, real b, real pad)
-{
-    struct interval out;
-    out.lo = clamp(real_min(a, b) - pad, 0, 1);
-    out.hi = clamp(real_max(a, b) + pad, 0, 1);
-    return out;
-}
-
-/* Ends of c's own domain are exact, others known to the distance over the speed. */
-static real uncertainty(const struct source *c, real end, real distance)
-{
-    struct spot p;
-    source_at(c, end, &p);
-    real speed = real_max(real_abs(p.dx), real_abs(p.dy));
-    return speed > 0 ? (2 * distance + 64 * c->node_error) / speed : (real)1;
-}
-
-static struct interval inner(real a, real b, real pad)
-{
-    struct interval out = {real_min(a, b), real_max(a, b)};
-    out.lo = out.lo == 0 ? out.lo : out.lo + pad;
-    out.hi = out.hi == 1 ? out.hi : out.hi - pad;
-    return out;
-}
+/* ---- arcs ---- */
 
 static bool is_known(const struct crossings *out, const struct shared *x)
 {
@@ -97,29 +116,6 @@ static bool is_known(const struct crossings *out, const struct shared *x)
         }
     }
     return false;
-}
-
-static bool record(struct solver *z, const struct shared *x, real distance)
-{
-    const struct level *v = &z->level[0];
-    if (z->out->overlaps == OVERLAPS_MAX) {
-        return false;
-    }
-    real pad_t = real_max(uncertainty(&v->f, x->t0, distance), uncertainty(&v->f, x->t1, distance));
-    real pad_s = real_max(uncertainty(&v->g, x->s0, distance), uncertainty(&v->g, x->s1, distance));
-    struct overlap *o = &z->out->overlap[z->out->overlaps];
-    o->t_outer = widened(x->t0, x->t1, pad_t);
-    o->s_outer = widened(x->s0, x->s1, pad_s);
-    o->t_inner = inner(x->t0, x->t1, pad_t);
-    o->s_inner = inner(x->s0, x->s1, pad_s);
-    o->reversed = x->s0 > x->s1;
-    o->exact = false;
-    o->distance = distance;
-    if (!(o->t_inner.lo < o->t_inner.hi) || !(o->s_inner.lo < o->s_inner.hi)) {
-        return false;
-    }
-    z->out->overlaps++;
-    return true;
 }
 
 /* Is the middle of the arc on the other curve at all? */
@@ -138,7 +134,7 @@ static bool try_arc(struct solver *z, const struct shared *x, real near)
         return false;
     }
     real distance = shared_distance(v, x, near);
-    return distance >= 0 && distance <= near && record(z, x, distance);
+    return distance >= 0 && distance <= near && overlap_record(z, x, distance);
 }
 
 /* The longest arc in t between two places that has not been tried. */
@@ -190,13 +186,15 @@ bool overlap_find(struct solver *z, int looser)
 
 /* ---- cells ---- */
 
-static bool is_shared(const struct level *v, const struct overlap *o, const struct gap_view *at)
+static bool is_shared(const struct solver *z, const struct level *v, const struct overlap *o,
+                      const struct gap_view *at)
 {
     const real flat = real_ldexp(1, -REAL_BITS / 4);
-    return o->t_outer.lo <= at->t && at->t <= o->t_outer.hi && o->s_outer.lo <= at->s &&
-           at->s <= o->s_outer.hi &&
-           real_abs(at->gap) <= 2 * o->distance + 64 * (v->f.node_error + v->g.node_error) &&
-           real_abs(at->slope) <= flat;
+    const struct level *all = &z->level[0];
+    struct interval t = level_t(v, at->t, at->t), s = level_s(v, at->s, at->s);
+    real most = (2 * o->distance + 64 * (all->f.node_error + all->g.node_error)) * v->factor;
+    return o->t_outer.lo <= t.lo && t.hi <= o->t_outer.hi && o->s_outer.lo <= s.lo && s.hi <= o->s_outer.hi &&
+           real_abs(at->gap) <= most && real_abs(at->slope) <= flat;
 }
 
 /* The view at abscissa x, both parameters as near as they can be. */
@@ -216,7 +214,7 @@ bool overlap_holds(const struct solver *z, int level, const struct node *f, cons
                    const struct graphs *h)
 {
     const struct level *v = &z->level[level];
-    if (level != 0 || z->out->overlaps == 0) {
+    if (z->out->overlaps == 0) {
         return false;
     }
     struct gap_view first, middle, last;
@@ -227,7 +225,7 @@ bool overlap_holds(const struct solver *z, int level, const struct node *f, cons
     }
     for (int i = 0; i < z->out->overlaps; i++) {
         const struct overlap *o = &z->out->overlap[i];
-        if (is_shared(v, o, &first) && is_shared(v, o, &middle) && is_shared(v, o, &last)) {
+        if (is_shared(z, v, o, &first) && is_shared(z, v, o, &middle) && is_shared(z, v, o, &last)) {
             return true;
         }
     }

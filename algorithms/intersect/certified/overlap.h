@@ -17,4 +17,15 @@ real shared_distance(const struct level *v, const struct shared *a, real limit);
  * returns how far it is, in the maximum norm. */
 real source_match(const struct source *c, real x, real y, real lo, real hi, real *t);
 
+/* f'' by the local parameter, about. */
+void source_second(const struct source *c, real t, real *ddx, real *ddy);
+
+/* Moves t to where the derivative is nearest to 0, by Newton's method; is it no more than rounding there? */
+bool source_cusp(const struct source *c, real *t);
+
+/* ---- overlap_ends.c ---- */
+
+/* Adds the arc to the records; false: it is no longer than its ends are uncertain, or there is no room. */
+bool overlap_record(struct solver *z, const struct shared *x, real distance);
+
 #endif

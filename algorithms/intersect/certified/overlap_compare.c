@@ -253,3 +253,32 @@ real source_match(const struct source *c, real x, real y, real lo, real hi, real
     source_at(c, *t, &p);
     return real_max(real_abs(p.x - x), real_abs(p.y - y));
 }
+
+void source_second(const struct source *c, real t, real *ddx, real *ddy)
+{
+    const real h = real_ldexp(1, -12);
+    struct spot p, q;
+    real next = t + h <= 1 ? t + h : t - h;
+    source_at(c, t, &p);
+    source_at(c, next, &q);
+    *ddx = (q.dx - p.dx) / (next - t);
+    *ddy = (q.dy - p.dy) / (next - t);
+}
+
+bool source_cusp(const struct source *c, real *t)
+{
+    const real many = 64;
+    struct spot p;
+    for (int k = 0; k < 8; k++) {
+        real ddx, ddy;
+        source_at(c, *t, &p);
+        source_second(c, *t, &ddx, &ddy);
+        real square = ddx * ddx + ddy * ddy;
+        if (!(square > 0)) {
+            return false;
+        }
+        *t = clamp(*t - (p.dx * ddx + p.dy * ddy) / square, 0, 1);
+    }
+    source_at(c, *t, &p);
+    return real_max(real_abs(p.dx), real_abs(p.dy)) <= many * c->slope_noise;
+}

@@ -59,21 +59,24 @@ static void cut_curve(const struct curve *c, const struct interval *span, struct
 }
 
 /* c - x, or c - x w: exact but for relative errors of 16 u^2. */
-static real moved(struct twofold c, real x, const struct twofold *w)
+static struct twofold moved(struct twofold c, real x, const struct twofold *w)
 {
-    struct twofold d = twofold_add(c, w ? twofold_multiply(*w, twofold_of(-x)) : twofold_of(-x));
-    return d.hi + d.lo;
+    return twofold_add(c, w ? twofold_multiply(*w, twofold_of(-x)) : twofold_of(-x));
 }
 
-/* Homogeneous coordinates from (x, y) on, into numbers; returns the largest Euclidean one. */
-static real difference(const struct cut *c, real x, real y, real *to)
+/* Homogeneous coordinates from (x, y) on, into numbers, and what rounding leaves off; returns the largest
+ * Euclidean one. */
+static real difference(const struct cut *c, real x, real y, real *to, real *low)
 {
     real most = 0;
     for (int i = 0; i <= c->n; i++) {
         const struct twofold *w = c->rational ? &c->w[i] : NULL;
-        real dx = moved(c->x[i], x, w), dy = moved(c->y[i], y, w), weight = w ? w->hi : (real)1;
+        struct twofold moved_x = moved(c->x[i], x, w), moved_y = moved(c->y[i], y, w);
+        real dx = moved_x.hi, dy = moved_y.hi, weight = w ? w->hi : (real)1;
         to[i] = dx;
         to[c->n + 1 + i] = dy;
+        low[i] = moved_x.lo;
+        low[c->n + 1 + i] = moved_y.lo;
         if (w) {
             to[2 * (c->n + 1) + i] = weight;
         }
@@ -85,7 +88,7 @@ static real difference(const struct cut *c, real x, real y, real *to)
 /* ---- the level ---- */
 
 /* Enlarges the points by a power of two; error: of the problem's cut, before. */
-static void enlarge(const struct cut *cut, real *points, real factor, real error, struct source *c,
+static void enlarge(const struct cut *cut, real *points, real *low, real factor, real error, struct source *c,
                     real *numbers)
 {
     const real u = REAL_EPSILON / 2;
@@ -93,10 +96,13 @@ static void enlarge(const struct cut *cut, real *points, real factor, real error
     int n = cut->n, doubled = cut->rational ? 2 : 1;
     for (int i = 0; i < 2 * (n + 1); i++) {
         points[i] = points[i] * factor;
+        low[i] = low[i] * factor;
     }
     c->n = n;
     c->rational = cut->rational;
     c->points = points;
+    c->low = cut->rational ? NULL : low;
+    c->fine_error = error * factor;
     c->error = error * factor + doubled * u * scale;
     c->node_error = doubled * (12 * n + 1) * u * scale + c->error;
     source_init(c, scale, numbers);
@@ -127,11 +133,12 @@ static bool level_new(struct solver *z, const struct interval *t, const struct i
     struct level *v = &z->level[z->levels];
     real *numbers = z->level_numbers + z->level_stride * (size_t)z->levels;
     int n = p->f.degree, m = p->g.degree;
-    real *points_f = numbers, *points_g = points_f + 3 * (n + 1), *rest_f = points_g + 3 * (m + 1);
+    real *points_f = numbers, *points_g = points_f + 3 * (n + 1), *low_f = points_g + 3 * (m + 1);
+    real *low_g = low_f + 2 * (n + 1), *rest_f = low_g + 2 * (m + 1);
     cut_curve(&p->f, t, &f);
     cut_curve(&p->g, s, &g);
     real weight = f.rational ? f.w[0].hi : (real)1, x = f.x[0].hi / weight, y = f.y[0].hi / weight;
-    real most = real_max(difference(&f, x, y, points_f), difference(&g, x, y, points_g));
+    real most = real_max(difference(&f, x, y, points_f, low_f), difference(&g, x, y, points_g, low_g));
     int most_degree = n > m ? n : m;
     const real u = REAL_EPSILON / 2;
     real error = (128 * most_degree + 32) * u * u * p->bounds.scale;
@@ -143,8 +150,9 @@ static bool level_new(struct solver *z, const struct interval *t, const struct i
     v->t = *t;
     v->s = *s;
     v->scale = 2;
-    enlarge(&f, points_f, factor, error_f, &v->f, rest_f);
-    enlarge(&g, points_g, factor, error_g, &v->g, rest_f + source_length(n));
+    v->factor = factor;
+    enlarge(&f, points_f, low_f, factor, error_f, &v->f, rest_f);
+    enlarge(&g, points_g, low_g, factor, error_g, &v->g, rest_f + source_length(n));
     z->levels++;
     return true;
 }
