@@ -169,7 +169,8 @@ static char *group_of(const json_t *row)
 /* 0, or an exit status. */
 static int open_output(int argc, char **argv, struct check_options *o, struct resume *resume)
 {
-    struct resume_rule rule = {group_of, o->solving.algorithms.count + (o->solving.external != NULL)};
+    static const struct resume_option idle[] = {{'q', "quiet", false}, {'j', "jobs", true}, {0, NULL, false}};
+    struct resume_rule rule = {group_of, o->solving.algorithms.count + (o->solving.external != NULL), idle};
     memset((void *)resume, 0, sizeof *resume);
     resume->out = stdout;
     if (!o->rows)
