@@ -46,11 +46,14 @@ static const char documentation[] =
     "tolerance asked for. "
     "The verdicts: RIGHT; WRONG (something missed, extra, duplicate or merged); STOPPED (out of steps or "
     "room "
-    "with every solution still covered); NOT_TAKEN; UNJUDGED (no truth known).\n\n"
+    "with every solution still covered); NOT_TAKEN (the answer is UNSUPPORTED or INVALID); BROKEN (GAVE_UP, "
+    "CRASHED, TIMED_OUT, also of an external program that ends, is late or writes something else); UNJUDGED "
+    "(no truth known).\n\n"
     "Merged: a group of records that hold a solution is wider than four tolerances.\n\n"
     "With --strict rows also have `violated`, the words broken, and `ns`, the time of the solve.\n\n"
     "Exit status: 0, 1 if something was missed or is extra or violated in a case that is not ambiguous "
-    "(duplicate and merged do not count), 2 on an input or output error or if the external program is not "
+    "(duplicate and merged do not count) or an answer is broken, 2 on an input or output error or if the "
+    "external program is not "
     "there, 64 on wrong usage, 65 on bad data or no case, 130 when interrupted.";
 
 static enum truth read_truth(struct argp_state *state, const char *text)

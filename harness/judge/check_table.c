@@ -154,7 +154,8 @@ void check_table_write(const struct check_table *t, FILE *stream)
 bool check_table_failed(const struct check_table *t)
 {
     for (int i = 0; i < t->count; i++)
-        if (!t->at[i].ambiguous && (t->at[i].sum[MISSED] || t->at[i].sum[EXTRA] || t->at[i].violated))
+        if (t->at[i].sum[BROKEN_] ||
+            (!t->at[i].ambiguous && (t->at[i].sum[MISSED] || t->at[i].sum[EXTRA] || t->at[i].violated)))
             return true;
     return false;
 }
