@@ -169,7 +169,7 @@ static int choose_reference(struct compare_settings *s, const struct run run[2])
                 "needed; ",
                 s->reference);
     fprintf(stderr, names[0] ? "both have %s\n" : "they have nobody in common%s\n", names);
-    return USAGE;
+    return names[0] || asked ? USAGE : 0;
 }
 
 /* 0 or an exit status. */
