@@ -46,6 +46,19 @@ def test_floor_is_in_every_timing():
         assert len(alone) == 1 and "floor_ratio" not in alone[0]
 
 
+def test_floor_is_there_once():
+    """Also as the baseline."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = proved(folder)
+        command = ["time", *QUICK, "-a", "bezier_clipping", "--baseline", "floor"]
+        rows = {name: [row for row in rows_of(fatline(*command, "--rows", path).stdout) if row["algorithm"] == name]
+                for name in ("floor", "bezier_clipping")}
+        assert [len(found) for found in rows.values()] == [1, 1], rows
+        assert rows["floor"][0]["ratio"] == 1 and rows["bezier_clipping"][0]["ratio"] > 1, rows
+        table = fatline(*command, "--human", path).stdout
+        assert sum(line.startswith("floor ") for line in table.splitlines()) == 1, table
+
+
 def test_floor_reaches_full_precision():
     with tempfile.TemporaryDirectory() as folder:
         path = proved(folder, "nine", 4)
