@@ -223,6 +223,7 @@ int main(int argc, char **argv)
 
     check_options_read(argc, argv, &options);
     memset(&table, 0, sizeof table);
+    table.strict = options.strict;
     if (reads_standard_input(&options))
         check_load_standard_input();
     const long lines = count_lines(&options);

@@ -139,6 +139,19 @@ def test_external_programs():
     assert all("status 1" in row["message"] for row in failing)
 
 
+def test_table_of_check():
+    """A part for each class, and their sum if there are several; with --strict the words broken, which count."""
+    one = CASE % "one"
+    two = (CASE % "two").replace("[1,0]", "[1,2]")  # parallel: of another class
+    for text, heads in ((one, ["transversal"]), (one + "\n" + two, ["transversal", "none", "all classes"])):
+        shown = expect(fatline("check", "-q", "--truth", "-a", "certified", text=text), 0)
+        assert [line[:line.index(" cases ")].strip() for line in shown.splitlines() if " cases " in line] == heads, shown
+        assert "violated" not in shown
+    strict = ["check", "-q", "--truth", "--strict", "-a"]
+    shown = expect(fatline(*strict, "certified", text=one + "\n" + two), 0)
+    assert [line.split()[-1] for line in shown.splitlines() if line] == 3 * ["violated", "0"], shown
+
+
 def test_missing_programs_are_no_answers():
     for command in ("solve", "check", "time"):
         shown = expect(fatline(command, "--external", "./no-such-program", text=CASE % "one"), 2, "no-such-program")

@@ -18,6 +18,7 @@ struct table_line {
 /* Zeroed: empty. */
 struct check_table {
     int count, room;
+    bool strict; /* a column `violated` */
     struct table_line *at;
 };
 
