@@ -168,6 +168,15 @@ def is_alive(pid):
         return False
 
 
+def test_precision_goes_before_the_command():
+    for words in (["--precision", "multi"], ["--precision=quad"]):
+        expect(fatline("solve", *words, "-f", "0,0 1,1", "-g", "0,1 1,0"), 64, "fatline --precision P solve ...")
+
+
+def test_nothing_to_generate():
+    expect(fatline("generate", "nice", "-c", 0), 64, "--count: \"0\", expected 1 or more")
+
+
 def test_workers_of_check():
     """No more than cases, nor than four for each processor; all end with the run, however it ends."""
     if not Path(f"/proc/{os.getpid()}/task/{os.getpid()}/children").exists():
