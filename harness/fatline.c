@@ -137,11 +137,25 @@ static bool own_folder(char folder[PATH_MAX])
     return true;
 }
 
+/* Of the arguments of a command: what belongs before it. */
+static bool has_precision(char *const *argument)
+{
+    for (; *argument && strcmp(*argument, "--"); argument++)
+        if (!strcmp(*argument, "--precision") || !strncmp(*argument, "--precision=", 12))
+            return true;
+    return false;
+}
+
 static int run(const struct request *r)
 {
     char folder[PATH_MAX], path[PATH_MAX + 64], shown[64];
     const struct command *c = find(r->arguments[0]);
     const char *precision = c->once ? "double" : r->precision;
+    if (has_precision(r->arguments + 1)) {
+        fprintf(stderr, "fatline: --precision goes before the command: fatline --precision P %s ...\n",
+                c->name);
+        return 64;
+    }
     if (!own_folder(folder)) {
         fprintf(stderr, "fatline: /proc/self/exe cannot be read: %s\n", strerror(errno));
         return 2;

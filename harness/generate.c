@@ -99,6 +99,8 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         break;
     case 'c':
         a->count = option_seed(state, "--count", text);
+        if (!a->count)
+            argp_error(state, "--count: \"%s\", expected 1 or more", text);
         break;
     case 's':
         a->seed = option_seed(state, "--seed", text);

@@ -239,7 +239,7 @@ static char *group_of(const json_t *row)
 /* Rows, or a table; what disturbed the clock is said at the end. */
 static int measure(int argc, char **argv, const struct time_settings *s, const struct case_set *set)
 {
-    struct resume_rule rule = {group_of, contenders(s)};
+    struct resume_rule rule = {group_of, contenders(s), NULL};
     struct resume resume;
     struct noise noise;
     int status = 0;

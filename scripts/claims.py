@@ -199,7 +199,7 @@ def judge_step_ratio(claim):
 
 def judge_lost(claim):
     """What `fatline check` says of all classes, of the algorithm that ends the claim's id."""
-    found = next(r for r in claim.rows if r["class"] == "all classes" and claim.id.endswith(r["algorithm"]))
+    found = [r for r in claim.rows if "ambiguous" not in r["class"] and claim.id.endswith(r["algorithm"])][-1]  # the sum, if any
     missed = found["missed"] + found["broken"]
     return Measured("holds" if missed == 0 else "fails", f"{missed} missed, {found['wrong']} of the pairs wrong",
                     found["cases"], found["cases"])

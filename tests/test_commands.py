@@ -135,8 +135,21 @@ def test_external_programs():
             row["algorithm"] = "fatline"
         assert here == there
     failing = rows(expect(fatline("solve", "--external", "false", text=text), 0, "one: false: ended with status 1"))
-    assert [(row["id"], row["outcome"]) for row in failing] == [(i, "INVALID") for i in ("one", "two", "three")]
+    assert [(row["id"], row["outcome"]) for row in failing] == [(i, "CRASHED") for i in ("one", "two", "three")]
     assert all("status 1" in row["message"] for row in failing)
+
+
+def test_table_of_check():
+    """A part for each class, and their sum if there are several; with --strict the words broken, which count."""
+    one = CASE % "one"
+    two = (CASE % "two").replace("[1,0]", "[1,2]")  # parallel: of another class
+    for text, heads in ((one, ["transversal"]), (one + "\n" + two, ["transversal", "none", "all classes"])):
+        shown = expect(fatline("check", "-q", "--truth", "-a", "certified", text=text), 0)
+        assert [line[:line.index(" cases ")].strip() for line in shown.splitlines() if " cases " in line] == heads, shown
+        assert "violated" not in shown
+    strict = ["check", "-q", "--truth", "--strict", "-a"]
+    shown = expect(fatline(*strict, "certified", text=one + "\n" + two), 0)
+    assert [line.split()[-1] for line in shown.splitlines() if line] == 3 * ["violated", "0"], shown
 
 
 def test_missing_programs_are_no_answers():
@@ -146,11 +159,18 @@ def test_missing_programs_are_no_answers():
 
 
 def test_external_programs_are_judged():
-    """With no other algorithm beside them; a program that answers nothing is not taken for right."""
+    """With no other algorithm beside them.  Not taken is what the program says it does not take; that it crashes, hangs or
+    writes something else is a wrong result."""
     text = "\n".join(CASE % name for name in ("one", "two"))
-    for command, verdict in ((f"{FATLINE} solve --tolerance $FATLINE_TOLERANCE", "RIGHT"), ("false", "NOT_TAKEN")):
-        judged = rows(expect(fatline("check", "--rows", "--truth", "--external", command, text=text), 0))
-        assert [row["verdict"] for row in judged if "verdict" in row] == [verdict, verdict], judged
+    says = '''sed -u 's/.*"id":"\\([a-z]*\\)".*/{"id":"\\1","outcome":"%s"}/' '''
+    for command, status, outcome, verdict in (
+            (f"{FATLINE} solve --tolerance $FATLINE_TOLERANCE", 0, "SOLVED", "RIGHT"), (says % "UNSUPPORTED", 0, "UNSUPPORTED", "NOT_TAKEN"),
+            (says % "INVALID", 0, "INVALID", "NOT_TAKEN"), (says % "GAVE_UP", 1, "GAVE_UP", "BROKEN"), ("false", 1, "CRASHED", "BROKEN"),
+            ("kill -9 $$", 1, "CRASHED", "BROKEN"), ("true", 1, "CRASHED", "BROKEN"), ("sleep 20", 1, "TIMED_OUT", "BROKEN"),
+            ("yes", 1, "GAVE_UP", "BROKEN"), (says % "FINE", 1, "GAVE_UP", "BROKEN"), ("echo {}; sleep 20", 1, "GAVE_UP", "BROKEN")):
+        limit = 0.3 if outcome == "TIMED_OUT" else 20
+        judged = rows(expect(fatline("check", "--rows", "--truth", "--timeout", limit, "--external", command, text=text), status))
+        assert [(row["outcome"], row["verdict"]) for row in judged] == 2 * [(outcome, verdict)], (command, judged)
 
 
 if __name__ == "__main__":

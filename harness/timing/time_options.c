@@ -139,8 +139,11 @@ static void choose_variant(struct argp_state *state, struct time_settings *s, co
 static void choose_baseline(struct argp_state *state, struct time_settings *s)
 {
     bool batch = s->batch && !strcmp(s->baseline, s->batch_name);
+    bool yardstick = !s->no_floor && !strcmp(s->baseline, intersector_floor->name); /* takes part anyway */
     size_t n = batch_algorithm ? strlen(batch_algorithm->name) : 0;
 
+    if (yardstick)
+        return;
     if (intersector_find(s->baseline))
         solving_add(state, &s->algorithms, s->baseline);
     else if (!batch && n && !strncmp(s->baseline, batch_algorithm->name, n) &&
