@@ -177,7 +177,7 @@ static void test_overlap_from_cusp(void **state)
     (void)state;
     const real tolerance = real_ldexp(1, -REAL_BITS * 9 / 16); /* 1e-9 in double */
     int most = 0, candidates = 0;
-    for (int i = 0; i < (REAL_BITS > 113 ? 2 : 5 * PAIRS); i++) {
+    for (int i = 0; REAL_BITS <= 113 && i < 5 * PAIRS; i++) {
         struct random_state r = random_for(1, "overlap from a cusp", (uint64_t)i);
         struct shared p;
         make_from_cusp(&p, &r, i);

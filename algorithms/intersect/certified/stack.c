@@ -21,7 +21,8 @@ static bool lies_in(const struct crossing *a, const struct crossing *b)
 static bool is_idle(const struct crossing *a, const struct crossing *b)
 {
     if (b->standing == UNIQUE) {
-        return a->standing == UNIQUE && lies_in(b, a);
+        bool one = a->standing == UNIQUE || (a->standing == CLUSTER && a->at_most == 1);
+        return one && lies_in(b, a);
     }
     return b->standing == CLUSTER && a->standing != UNIQUE && lies_in(a, b);
 }
@@ -36,6 +37,19 @@ static void cut_away(struct interval *b, const struct interval *a)
     }
 }
 
+/* Where a lies inside b's t (or s), the part of b beyond it becomes a record of its own. */
+static void split_at(struct crossings *out, int b, bool in_t, const struct interval *a)
+{
+    struct interval *of = in_t ? &out->at[b].t : &out->at[b].s;
+    if (!(of->lo < a->lo && a->hi < of->hi) || out->count == CROSSINGS_MAX) {
+        return;
+    }
+    struct crossing *rest = &out->at[out->count++];
+    *rest = out->at[b];
+    *(in_t ? &rest->t.lo : &rest->s.lo) = a->hi;
+    of->hi = a->lo;
+}
+
 /* A CLUSTER that lies across another proof keeps what is outside of it; of a part at_most is true as well. */
 static void clusters_part(struct crossings *out)
 {
@@ -47,8 +61,10 @@ static void clusters_part(struct crossings *out)
                 continue;
             }
             if (a->t.lo <= b->t.lo && b->t.hi <= a->t.hi) {
+                split_at(out, i, false, &a->s);
                 cut_away(&b->s, &a->s);
             } else if (a->s.lo <= b->s.lo && b->s.hi <= a->s.hi) {
+                split_at(out, i, true, &a->t);
                 cut_away(&b->t, &a->t);
             }
         }
