@@ -7,6 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "run/standard_output.h"
+
 static const struct command {
     const char *name, *summary;
     bool once; /* does not depend on the precision: in build/double only */
@@ -176,6 +178,7 @@ const char *argp_program_version = "fatline 0.1";
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     static const struct argp_option options[] = {
         {"precision", 'p', "P", 0, "double (the default), quad (binary128) or multi (2,048 bits)", 0}, {0}};
     static const struct argp argp = {
