@@ -26,6 +26,7 @@
 #include "run/progress.h"
 #include "run/resume.h"
 #include "run/row.h"
+#include "run/standard_output.h"
 
 enum { OK = 0, NOT_RIGHT = 1, FAILED = 2, BAD_DATA = 65 };
 
@@ -217,6 +218,7 @@ const char *argp_program_version = "fatline 0.1";
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     struct check_options options;
     struct check_table table;
     struct resume output;
@@ -246,10 +248,9 @@ int main(int argc, char **argv)
     if (check_table_unjudged(&table))
         fprintf(stderr, "fatline check: %ld answers unjudged for want of a truth (--truth computes it)\n",
                 check_table_unjudged(&table));
-    bool failed = check_table_failed(&table),
-         lost = !resume_close(&output) || fflush(stdout) || ferror(stdout);
+    bool failed = check_table_failed(&table), lost = !resume_close(&output);
     if (lost)
-        fprintf(stderr, "fatline check: standard output cannot be written\n");
+        fprintf(stderr, "fatline check: %s: %s\n", options.output, strerror(errno));
     check_table_clear(&table);
     check_options_clear(&options);
     return interrupted ? INTERRUPTED : lost ? FAILED : status != OK ? status : failed ? NOT_RIGHT : OK;

@@ -10,6 +10,7 @@
 #include "run/options.h"
 #include "run/row.h"
 #include "run/solving.h"
+#include "run/standard_output.h"
 #include "timing/noise.h"
 
 const char *argp_program_version = "fatline 0.1";
@@ -166,6 +167,7 @@ static int check_cases(const struct compare_settings *s)
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     static const struct argp parser = {options, parse, "FILE...", documentation, NULL, NULL, NULL};
     struct compare_settings s;
     struct noise noise;
@@ -194,5 +196,5 @@ int main(int argc, char **argv)
     if (!status && !s.json)
         printf("%d compared, %d slower\n", compared, slower);
     algorithms_named_clear(&s.algorithms);
-    return status ? status : fflush(stdout) ? 2 : !compared ? 1 : slower ? 3 : 0;
+    return status ? status : !compared ? 1 : slower ? 3 : 0;
 }

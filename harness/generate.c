@@ -7,6 +7,7 @@
 #include "families/family.h"
 #include "families/glyphs.h"
 #include "run/options.h"
+#include "run/standard_output.h"
 
 enum { EXIT_BROKEN = 2, DEGREES_MAX = 64 };
 
@@ -215,6 +216,7 @@ static int generate_all(struct arguments *a)
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     static const struct argp argp = {options,
                                      parse_option,
                                      "FAMILY",
@@ -238,10 +240,6 @@ int main(int argc, char **argv)
             fprintf(stderr, "fatline generate: %s\n", why);
     } else {
         status = generate_all(&a);
-    }
-    if (fflush(stdout) || ferror(stdout)) {
-        fprintf(stderr, "fatline generate: standard output: %s\n", strerror(errno));
-        status = status ? status : EXIT_BROKEN;
     }
     return status;
 }

@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """The command `fatline`, its `list` and `solve`: what they print, where they complain, how they end.  Prints TAP."""
 
+import os
+import signal
 import subprocess
 import tempfile
 from pathlib import Path
@@ -18,6 +20,38 @@ def test_help_and_version():
     for command in ("list", "solve"):
         assert f"Usage: fatline {command}" in expect(fatline(command, "--help"), 0)
         assert expect(fatline(command, "--version"), 0) == "fatline 0.1\n"
+
+
+FULL = "/dev/full"
+SHORT = [["--help"], ["--version"], ["list"], ["list", "--json"], ["list", "--help"], ["solve", *LINE], ["solve", "--human", *LINE],
+         ["roots", "-d", 2], ["generate", "nice", "-c", 2], ["generate", "--list"], ["region", "--random", 2]]
+OF_CASES = [["solve"], ["truth"], ["check", "--truth", "-q"], ["check", "--truth", "--rows", "-q"], ["trace", "-a", "subdivision"],
+            ["repeat", "-a", "certified", "-"], ["time", "--rows", "--rounds", 5, "--seconds", 0.1, "-a", "certified", "--unchecked"],
+            ["time", "--human", "--rounds", 5, "--seconds", 0.1, "-a", "certified", "--unchecked"]]
+
+
+def test_a_full_disk_is_said():
+    """Once, with the command and the reason, whatever the command."""
+    for command in SHORT + OF_CASES:
+        with open(FULL, "w") as full:
+            ended = subprocess.run([FATLINE, *map(str, command)], input=CASE % "one" + "\n", stdout=full, stderr=subprocess.PIPE,
+                                   text=True, timeout=120)
+        name = "fatline" if command[0].startswith("--") else f"fatline {command[0]}"
+        said = f"{name}: standard output: No space left on device\n"
+        assert ended.returncode == 2 and ended.stderr.count("standard output") == 1 and said in ended.stderr, (command, ended)
+    for command in OF_CASES[:1] + OF_CASES[3:4] + OF_CASES[6:7]:
+        expect(fatline(*command, "-o", FULL, text=CASE % "one"), 2, FULL)
+
+
+def test_a_broken_pipe_is_not_said():
+    for command in SHORT + OF_CASES:
+        for ignored in (False, True):
+            read, write = os.pipe()
+            os.close(read)
+            ended = subprocess.run([FATLINE, *map(str, command)], input=CASE % "one" + "\n", stdout=write, stderr=subprocess.PIPE,
+                                   text=True, timeout=120, restore_signals=not ignored)
+            os.close(write)
+            assert ended.returncode == -signal.SIGPIPE and "output" not in ended.stderr, (command, ignored, ended)
 
 
 def test_wrong_usage():

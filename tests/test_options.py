@@ -169,8 +169,8 @@ def is_alive(pid):
 
 
 def test_precision_goes_before_the_command():
-    for words in (["--precision", "multi"], ["--precision=quad"]):
-        expect(fatline("solve", *words, "-f", "0,0 1,1", "-g", "0,1 1,0"), 64, "fatline --precision P solve ...")
+    for words, name in ((["--precision", "multi"], "multi"), (["--precision=quad"], "quad")):
+        expect(fatline("solve", *words, "-f", "0,0 1,1", "-g", "0,1 1,0"), 64, f"fatline --precision {name} solve ...")
 
 
 def test_nothing_to_generate():

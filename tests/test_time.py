@@ -57,6 +57,9 @@ def test_floor_is_there_once():
         assert rows["floor"][0]["ratio"] == 1 and rows["bezier_clipping"][0]["ratio"] > 1, rows
         table = fatline(*command, "--human", path).stdout
         assert sum(line.startswith("floor ") for line in table.splitlines()) == 1, table
+        for named in ("floor", "floor,bezier_clipping"):
+            names = [row["algorithm"] for row in rows_of(fatline("time", *QUICK, "--rows", "-a", named, "-b", "floor", path).stdout)]
+            assert sorted(names) == sorted(named.split(",")), names
 
 
 def test_floor_reaches_full_precision():

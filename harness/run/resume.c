@@ -265,10 +265,10 @@ bool resume_has(const struct resume *r, const char *group)
 
 bool resume_close(struct resume *r)
 {
-    bool good = r->out && !fflush(r->out) && !ferror(r->out);
-    if (r->out && r->out != stdout)
-        good = !fclose(r->out) && good;
+    FILE *file = r->out != stdout ? r->out : NULL;
+    bool bad = file && ferror(file);
     json_decref(r->groups);
     memset(r, 0, sizeof *r);
-    return good;
+    errno = EIO;
+    return !(file && fclose(file)) && !bad;
 }

@@ -43,7 +43,7 @@ struct resume_rule {
 int resume_open(struct resume *r, const char *path, bool resume, const struct resume_rule *rule,
                 json_t *environment);
 bool resume_has(const struct resume *r, const char *group);
-/* True on success. */
+/* True on success; else errno says why.  Standard output is left open (standard_output.h). */
 bool resume_close(struct resume *r);
 
 #ifdef __cplusplus
