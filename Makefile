@@ -22,7 +22,7 @@ PRECISIONS = double quad multi
 # ---- what is built from what ---------------------------------------------------------------------------------
 
 COMMON_MODULES = case case_fields case_expected number random json_text selection memory options interrupt row progress resume \
-                 path_file path_xml \
+                 standard_output path_file path_xml \
                  exact exact_poly exact_roots exact_system exact_multiplicity exact_resultant exact_isolation \
                  exact_algebraic exact_component exact_meeting exact_ends exact_overlap exact_facts exact_parameter \
                  exact_answer exact_apart truth_compare known_solutions \
@@ -117,7 +117,7 @@ $(PROGRAMS_ONCE:%=build/double/fatline-%): build/double/fatline-%: build/common/
 build/double/against_lib2geom: scripts/against_lib2geom.cc build/double/libharness.a build/double/libalgorithms.a
 	$(CXX) -std=c++17 $(OPT) $(FP) $(WARN) $(patsubst -I%,-isystem %,$(shell pkg-config --cflags 2geom)) \
 	    -o $@ $^ $(shell pkg-config --libs 2geom) $(LIBS_double) $(LIBS)
-build/fatline: build/common/harness/fatline.o
+build/fatline: build/common/harness/fatline.o build/common/harness/run/standard_output.o
 	$(CC) -o $@ $^
 
 programs = build/fatline $(PROGRAMS_ONCE:%=build/double/fatline-%) \

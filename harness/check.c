@@ -13,6 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,8 +26,11 @@
 #include "run/progress.h"
 #include "run/resume.h"
 #include "run/row.h"
+#include "run/standard_output.h"
 
 enum { OK = 0, NOT_RIGHT = 1, FAILED = 2, BAD_DATA = 65 };
+
+enum { JOBS_PER_PROCESSOR = 4 };
 
 /* ---- the parent ------------------------------------------------------------------------------------------
  */
@@ -36,8 +40,19 @@ struct hand {
     FILE *from;
 };
 
+/* In the worker: whatever ends the parent, or is meant to end it, ends us. */
+static void be_worker(pid_t parent)
+{
+    signal(SIGTERM, SIG_DFL);
+    signal(SIGINT, SIG_DFL);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (interrupted || getppid() != parent)
+        _exit(FAILED);
+}
+
 static bool hire(const struct check_options *o, struct hand *hands, int number)
 {
+    const pid_t parent = getpid();
     int ends[2];
     if (pipe(ends))
         return false;
@@ -46,7 +61,7 @@ static bool hire(const struct check_options *o, struct hand *hands, int number)
     if (hands[number].pid < 0)
         return false;
     if (hands[number].pid == 0) {
-        signal(SIGTERM, SIG_DFL);
+        be_worker(parent);
         for (int i = 0; i < number; i++)
             close(fileno(hands[i].from));
         close(ends[0]);
@@ -61,10 +76,10 @@ static bool hire(const struct check_options *o, struct hand *hands, int number)
 static bool dismiss(struct hand *hands, int count, bool early)
 {
     bool good = true;
+    for (int i = 0; early && i < count; i++)
+        kill(hands[i].pid, SIGTERM);
     for (int i = 0; i < count; i++) {
         int status = 0;
-        if (early)
-            kill(hands[i].pid, SIGTERM);
         fclose(hands[i].from);
         if (waitpid(hands[i].pid, &status, 0) == hands[i].pid && !early &&
             !(WIFEXITED(status) && WEXITSTATUS(status) == OK)) {
@@ -123,11 +138,11 @@ static int check_all(const struct check_options *o, FILE *out, struct check_tabl
     struct hand *hands = (struct hand *)calloc((size_t)o->jobs, sizeof *hands);
     bool early = true, hired = hands != NULL;
     int count = 0, status = FAILED;
-    for (; hired && count < o->jobs; count += hired)
+    for (; hired && count < o->jobs && !interrupted; count += hired)
         hired = hire(o, hands, count);
-    if (hired)
+    if (hired && count == o->jobs)
         status = listen(o, hands, out, table, &early);
-    else
+    else if (!interrupted)
         fprintf(stderr, "fatline check: %s\n", strerror(errno));
     if (!dismiss(hands, count, early))
         status = FAILED;
@@ -152,6 +167,21 @@ static long count_lines(const struct check_options *o)
     return count;
 }
 
+/* More workers than cases have nothing to do, and many more than processors are in each other's way. */
+static void limit_jobs(struct check_options *o, long lines)
+{
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    long most = JOBS_PER_PROCESSOR * (processors > 0 ? processors : 1);
+    const int asked = o->jobs;
+    if (o->jobs > lines)
+        o->jobs = lines > 0 ? (int)lines : 1;
+    if (o->jobs > most) {
+        fprintf(stderr, "fatline check: --jobs: %ld instead of %d, which is %d for each of %ld processors\n",
+                most, asked, (int)JOBS_PER_PROCESSOR, most / JOBS_PER_PROCESSOR);
+        o->jobs = (int)most;
+    }
+}
+
 static bool reads_standard_input(const struct check_options *o)
 {
     for (int i = 0; i < selection_files(&o->cases); i++)
@@ -169,7 +199,8 @@ static char *group_of(const json_t *row)
 /* 0, or an exit status. */
 static int open_output(int argc, char **argv, struct check_options *o, struct resume *resume)
 {
-    struct resume_rule rule = {group_of, o->solving.algorithms.count + (o->solving.external != NULL)};
+    static const struct resume_option idle[] = {{'q', "quiet", false}, {'j', "jobs", true}, {0, NULL, false}};
+    struct resume_rule rule = {group_of, o->solving.algorithms.count + (o->solving.external != NULL), idle};
     memset((void *)resume, 0, sizeof *resume);
     resume->out = stdout;
     if (!o->rows)
@@ -187,21 +218,25 @@ const char *argp_program_version = "fatline 0.1";
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     struct check_options options;
     struct check_table table;
     struct resume output;
 
     check_options_read(argc, argv, &options);
     memset(&table, 0, sizeof table);
+    table.strict = options.strict;
     if (reads_standard_input(&options))
         check_load_standard_input();
+    const long lines = count_lines(&options);
+    limit_jobs(&options, lines);
     if (options.dry_run)
         return check_estimate(&options);
     int status = open_output(argc, argv, &options, &output);
     if (status)
         return status;
     progress_set_quiet(options.quiet || (options.rows && !options.output && isatty(STDOUT_FILENO)));
-    progress_begin("check", count_lines(&options));
+    progress_begin("check", lines);
     interrupt_watch(NULL);
     status = check_all(&options, output.out, &table);
     progress_end();
@@ -213,10 +248,9 @@ int main(int argc, char **argv)
     if (check_table_unjudged(&table))
         fprintf(stderr, "fatline check: %ld answers unjudged for want of a truth (--truth computes it)\n",
                 check_table_unjudged(&table));
-    bool failed = check_table_failed(&table),
-         lost = !resume_close(&output) || fflush(stdout) || ferror(stdout);
+    bool failed = check_table_failed(&table), lost = !resume_close(&output);
     if (lost)
-        fprintf(stderr, "fatline check: standard output cannot be written\n");
+        fprintf(stderr, "fatline check: %s: %s\n", options.output, strerror(errno));
     check_table_clear(&table);
     check_options_clear(&options);
     return interrupted ? INTERRUPTED : lost ? FAILED : status != OK ? status : failed ? NOT_RIGHT : OK;

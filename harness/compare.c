@@ -10,6 +10,7 @@
 #include "run/options.h"
 #include "run/row.h"
 #include "run/solving.h"
+#include "run/standard_output.h"
 #include "timing/noise.h"
 
 const char *argp_program_version = "fatline 0.1";
@@ -20,9 +21,9 @@ static const char documentation[] =
     "earlier runs of `fatline time`.\v"
     "Builds: processes of both alternate whole-set passes over the pairs that both get right; a second "
     "process of the "
-    "first build shows what chance does. Rows: each time is divided by that of the reference algorithm in "
-    "the same "
-    "rounds; --instructions compares the counts of --count instructions instead.\n\n"
+    "first build shows what chance does. Rows: each time is divided by that of the reference in the same "
+    "rounds, `floor` unless another is named, which cannot be compared itself; --instructions compares the "
+    "counts of --count instructions instead.\n\n"
     "A difference is called if the 99 percent interval of the ratio lies wholly beyond the noise floor: of "
     "builds the "
     "largest of 1 percent, what `fatline doctor` found, and chance in this run; of rows that of both runs "
@@ -40,7 +41,8 @@ static const struct argp_option options[] = {
     {"generations", GENERATIONS, "N", 0, "of builds: how often the processes are started (11)", 0},
     {"rounds", ROUNDS, "N", 0, "of builds: rounds in each generation (15)", 0},
     {"seed", SEED, "N", 0, "of the order and the bootstrap (1)", 0},
-    {"reference", REFERENCE, "NAME", 0, "of rows: the algorithm that divides the others", 0},
+    {"reference", REFERENCE, "NAME", 0,
+     "of rows: the algorithm that divides the others (floor, if both files have it)", 0},
     {"instructions", INSTRUCTIONS, 0, 0, "of rows: decide by instruction counts", 0},
     {"noise-floor", FLOOR, "X", 0, "call no relative difference below X, whatever is known", 0},
     {"rows", ROWS, 0, 0, "a row of JSON for each comparison", 0},
@@ -55,14 +57,18 @@ void comparison_write(const struct compare_settings *s, const struct comparison 
 {
     static const char *const names[] = {"same", "SLOWER", "faster"};
     const char *change = names[comparison_change(c)];
-    if (s->json)
-        row_write(stdout,
-                  json_pack("{s:s, s:s, s:s, s:i, s:f, s:f, s:f, s:f, s:s}", "family", c->family, "algorithm",
-                            c->algorithm, "compared", c->what, "pairs", c->pairs, "ratio", c->ratio,
-                            "ratio_lo", c->lo, "ratio_hi", c->hi, "noise_floor", c->floor, "change", change));
-    else
+    if (s->json) {
+        json_t *row =
+            json_pack("{s:s, s:s, s:s, s:i, s:f, s:f, s:f, s:f, s:s}", "family", c->family, "algorithm",
+                      c->algorithm, "compared", c->what, "pairs", c->pairs, "ratio", c->ratio, "ratio_lo",
+                      c->lo, "ratio_hi", c->hi, "noise_floor", c->floor, "change", change);
+        if (s->reference)
+            json_object_set_new(row, "reference", json_string(s->reference));
+        row_write(stdout, row);
+    } else {
         printf("%-32s %-26s %6d pairs  %7.4f [%.4f, %.4f]  noise floor %4.1f%%  %s\n", c->family,
                c->algorithm, c->pairs, c->ratio, c->lo, c->hi, 100 * c->floor, change);
+    }
     fflush(stdout);
 }
 
@@ -88,7 +94,6 @@ static void finish(struct argp_state *state, struct compare_settings *s)
     s->tolerance = s->tolerance ? s->tolerance : "1e-9";
     s->generations = s->generations ? s->generations : 11;
     s->rounds = s->rounds ? s->rounds : 15;
-    s->reference = s->reference ? s->reference : intersector_default->name;
     if (builds && !s->algorithms.count)
         solving_add(state, &s->algorithms, "all");
 }
@@ -162,6 +167,7 @@ static int check_cases(const struct compare_settings *s)
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     static const struct argp parser = {options, parse, "FILE...", documentation, NULL, NULL, NULL};
     struct compare_settings s;
     struct noise noise;
@@ -185,8 +191,10 @@ int main(int argc, char **argv)
     status = s.build[0] ? compare_builds(&s, &compared, &slower) : compare_files(&s, &compared, &slower);
     if (s.build[0])
         noise_warn(&noise, stderr);
+    if (!status && !s.json && s.reference)
+        printf("divided by %s, which is not compared\n", s.reference);
     if (!status && !s.json)
         printf("%d compared, %d slower\n", compared, slower);
     algorithms_named_clear(&s.algorithms);
-    return status ? status : fflush(stdout) ? 2 : !compared ? 1 : slower ? 3 : 0;
+    return status ? status : !compared ? 1 : slower ? 3 : 0;
 }

@@ -11,6 +11,7 @@
 #include "run/interrupt.h"
 #include "run/options.h"
 #include "run/row.h"
+#include "run/standard_output.h"
 
 const char *argp_program_version = "fatline 0.1";
 
@@ -160,6 +161,7 @@ static bool measure(void *data, struct test_case *c)
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     static const struct argp own = {options, parse, 0, 0, 0, 0, 0};
     static struct command o;
     o.from = 4;

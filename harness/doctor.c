@@ -12,6 +12,7 @@
 #include "timing/noise.h"
 #include "run/options.h"
 #include "run/row.h"
+#include "run/standard_output.h"
 #include "timing/statistics.h"
 
 const char *argp_program_version = "fatline 0.1";
@@ -188,6 +189,7 @@ static const char *generate(void)
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     static const struct argp parser = {options, parse, "[FILE]", documentation, NULL, NULL, NULL};
     struct settings s;
     struct case_set set = {0, 0, NULL, 0, NULL, 0, 0};

@@ -7,6 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "run/standard_output.h"
+
 static const struct command {
     const char *name, *summary;
     bool once; /* does not depend on the precision: in build/double only */
@@ -137,11 +139,28 @@ static bool own_folder(char folder[PATH_MAX])
     return true;
 }
 
+/* The precision among the arguments of a command, where it does not belong; NULL: there is none. */
+static const char *misplaced_precision(char *const *argument)
+{
+    for (; *argument && strcmp(*argument, "--"); argument++)
+        if (!strncmp(*argument, "--precision=", 12))
+            return *argument + 12;
+        else if (!strcmp(*argument, "--precision"))
+            return argument[1] ? argument[1] : "P";
+    return NULL;
+}
+
 static int run(const struct request *r)
 {
     char folder[PATH_MAX], path[PATH_MAX + 64], shown[64];
     const struct command *c = find(r->arguments[0]);
     const char *precision = c->once ? "double" : r->precision;
+    const char *misplaced = misplaced_precision(r->arguments + 1);
+    if (misplaced) {
+        fprintf(stderr, "fatline: --precision goes before the command: fatline --precision %s %s ...\n",
+                misplaced, c->name);
+        return 64;
+    }
     if (!own_folder(folder)) {
         fprintf(stderr, "fatline: /proc/self/exe cannot be read: %s\n", strerror(errno));
         return 2;
@@ -162,6 +181,7 @@ const char *argp_program_version = "fatline 0.1";
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     static const struct argp_option options[] = {
         {"precision", 'p', "P", 0, "double (the default), quad (binary128) or multi (2,048 bits)", 0}, {0}};
     static const struct argp argp = {

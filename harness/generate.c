@@ -7,6 +7,7 @@
 #include "families/family.h"
 #include "families/glyphs.h"
 #include "run/options.h"
+#include "run/standard_output.h"
 
 enum { EXIT_BROKEN = 2, DEGREES_MAX = 64 };
 
@@ -99,6 +100,8 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         break;
     case 'c':
         a->count = option_seed(state, "--count", text);
+        if (!a->count)
+            argp_error(state, "--count: \"%s\", expected 1 or more", text);
         break;
     case 's':
         a->seed = option_seed(state, "--seed", text);
@@ -213,6 +216,7 @@ static int generate_all(struct arguments *a)
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     static const struct argp argp = {options,
                                      parse_option,
                                      "FAMILY",
@@ -236,10 +240,6 @@ int main(int argc, char **argv)
             fprintf(stderr, "fatline generate: %s\n", why);
     } else {
         status = generate_all(&a);
-    }
-    if (fflush(stdout) || ferror(stdout)) {
-        fprintf(stderr, "fatline generate: standard output: %s\n", strerror(errno));
-        status = status ? status : EXIT_BROKEN;
     }
     return status;
 }

@@ -8,6 +8,7 @@
 #include "../algorithms/peers/foreign.h"
 #include "run/algorithms_named.h"
 #include "run/guard.h"
+#include "run/standard_output.h"
 
 struct request {
     bool json;
@@ -118,6 +119,7 @@ const char *argp_program_version = "fatline 0.1";
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     static const struct argp_option options[] = {
         {"json", 'j', 0, 0, "a row of JSON an algorithm", 0},
         {"algorithm", 'a', "LIST", 0, "only these: names, globs, `all`, `peers`, separated by commas", 0},
@@ -146,9 +148,5 @@ int main(int argc, char **argv)
         print_table(peers);
     }
     algorithms_named_clear(&r.algorithms);
-    if (fflush(stdout) || ferror(stdout)) {
-        fprintf(stderr, "fatline list: standard output cannot be written\n");
-        return 2;
-    }
     return 0;
 }

@@ -11,6 +11,7 @@
 #include "run/options.h"
 #include "run/progress.h"
 #include "run/row.h"
+#include "run/standard_output.h"
 
 const char *argp_program_version = "fatline 0.1";
 
@@ -183,6 +184,7 @@ static bool measure(void *data, struct test_case *c)
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     static const struct argp own = {options, parse, 0, 0, 0, 0, 0};
     struct command o;
     memset((void *)&o, 0, sizeof o);

@@ -14,6 +14,7 @@
 #include "run/interrupt.h"
 #include "run/progress.h"
 #include "run/row.h"
+#include "run/standard_output.h"
 
 enum { OK = 0, FAILED = 2, BAD_DATA = 65 };
 
@@ -77,6 +78,7 @@ const char *argp_program_version = "fatline 0.1";
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     struct path_options options;
     struct path_set a = {0, 0, NULL}, b = {0, 0, NULL};
     int read = OK, result = OK;
@@ -99,10 +101,10 @@ int main(int argc, char **argv)
         result = run_all(out, &options, &a, b.count > 0 || options.files[1] ? &b : NULL);
     path_set_clear(&a);
     path_set_clear(&b);
-    bool bad = ferror(out) || fflush(out);
+    bool bad = out != stdout && ferror(out);
     if (out != stdout)
         bad = fclose(out) || bad;
     if (bad)
-        fprintf(stderr, "%s: cannot be written\n", options.output ? options.output : "standard output");
+        fprintf(stderr, "%s: cannot be written\n", options.output);
     return interrupted ? INTERRUPTED : bad ? FAILED : read != OK ? read : result;
 }

@@ -9,6 +9,7 @@
 #include "timing/clock.h"
 #include "run/options.h"
 #include "run/solving.h"
+#include "run/standard_output.h"
 
 const char *argp_program_version = "fatline 0.1";
 
@@ -94,11 +95,12 @@ static int repeat(const struct settings *s, const struct case_set *set)
     printf("{\"pairs\":%d,\"passes\":%d,\"solved\":%ld}\n", set->count, s->times, solved / s->times);
     workspace_clear(&workspace);
     free(crossings);
-    return fflush(stdout) ? 2 : 0;
+    return 0;
 }
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     struct case_set set = {0, 0, NULL, 0, NULL, 0, 0};
     struct settings s;
     int status;

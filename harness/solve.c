@@ -17,6 +17,7 @@
 #include "run/interrupt.h"
 #include "run/progress.h"
 #include "run/solve_options.h"
+#include "run/standard_output.h"
 #include "truth/decide.h"
 
 enum { OK = 0, FAILED = 2, BAD_DATA = 65 };
@@ -119,6 +120,7 @@ static int solve_stream(struct solver *s, FILE *stream, const char *name)
             worst = BAD_DATA;
             more = more && s->options->keep_going;
         }
+        more = more && !ferror(s->out);
     }
     case_reader_clear(&reader);
     return worst;
@@ -193,12 +195,11 @@ static int open_all(struct solver *s, const struct solve_options *o)
 
 static int close_all(struct solver *s)
 {
-    bool bad = ferror(s->out) || fflush(s->out);
+    bool bad = s->out != stdout && ferror(s->out);
     if (s->out != stdout)
         bad = fclose(s->out) || bad;
     if (bad)
-        fprintf(stderr, "%s: cannot be written\n",
-                s->options->output ? s->options->output : "standard output");
+        fprintf(stderr, "%s: cannot be written\n", s->options->output);
     if (s->options->solving.external)
         external_stop(&s->external);
     guard_end();
@@ -211,6 +212,7 @@ const char *argp_program_version = "fatline 0.1";
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     struct solve_options options;
     static struct solver s;
     solve_options_read(argc, argv, &options);

@@ -11,6 +11,7 @@
 #include "run/progress.h"
 #include "run/resume.h"
 #include "run/row.h"
+#include "run/standard_output.h"
 #include "timing/time_family.h"
 
 const char *argp_program_version = "fatline 0.1";
@@ -239,7 +240,7 @@ static char *group_of(const json_t *row)
 /* Rows, or a table; what disturbed the clock is said at the end. */
 static int measure(int argc, char **argv, const struct time_settings *s, const struct case_set *set)
 {
-    struct resume_rule rule = {group_of, contenders(s)};
+    struct resume_rule rule = {group_of, contenders(s), NULL};
     struct resume resume;
     struct noise noise;
     int status = 0;
@@ -259,8 +260,8 @@ static int measure(int argc, char **argv, const struct time_settings *s, const s
     }
     if (!status)
         status = run(s, set, &resume);
-    if (!resume_close(&resume) && status != 64 && status != 65) {
-        fprintf(stderr, "fatline time: writing the rows: %s\n", strerror(errno));
+    if (!resume_close(&resume)) {
+        fprintf(stderr, "fatline time: %s: %s\n", s->output, strerror(errno));
         status = 2;
     }
     if (!s->dry_run)
@@ -270,6 +271,7 @@ static int measure(int argc, char **argv, const struct time_settings *s, const s
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     struct case_set set = {0, 0, NULL, 0, NULL, 0, 0};
     struct time_settings s;
     int status = 0;
@@ -293,10 +295,6 @@ int main(int argc, char **argv)
     if (!status) {
         relax(&set);
         status = measure(argc, argv, &s, &set);
-    }
-    if (fflush(stdout) || ferror(stdout)) {
-        fprintf(stderr, "fatline time: standard output: %s\n", strerror(errno));
-        status = 2;
     }
     case_set_clear(&set);
     time_settings_clear(&s);

@@ -14,6 +14,7 @@
 #include "run/interrupt.h"
 #include "run/progress.h"
 #include "run/row.h"
+#include "run/standard_output.h"
 #include "truth/truth_compare.h"
 
 const char *argp_program_version = "fatline 0.1";
@@ -230,6 +231,7 @@ static void write_timing(struct run *r, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    standard_output_watch();
     static const struct argp_child children[] = {{&selection_argp, 0, 0, 0}, {0}};
     static const struct argp argp = {options, parse, "[FILE...]", documentation, children, 0, 0};
     struct arguments a = {.limits = {.digits = DIGITS_LEAST}};
@@ -249,9 +251,5 @@ int main(int argc, char **argv)
         write_timing(&r, argc, argv);
     selection_clear(&a.cases);
     flint_cleanup();
-    if (fflush(stdout) || ferror(stdout)) {
-        fprintf(stderr, "fatline truth: standard output cannot be written\n");
-        spoil(&r, FAILED);
-    }
     return interrupted ? INTERRUPTED : r.worst;
 }

@@ -20,7 +20,7 @@ from scipy import stats  # noqa: E402
 
 import tables  # noqa: E402
 
-FIGURES = tables.ROOT / "results/figures"
+FIGURES = tables.FIGURES
 EPSILON = 2.0 ** -52
 RESAMPLES = 2000
 LEVEL = 0.95
@@ -285,7 +285,7 @@ def make(extra=()):
     plt.rcParams.update({"svg.hashsalt": "fatline", "svg.fonttype": "path", "font.size": 9})
     timed, checked = timed_rows(extra), checked_rows()
     if timed.empty or checked.empty:
-        sys.exit("comparisons: there are no rows in results/raw/; make reproduce measures them")
+        sys.exit(f"comparisons: there are no rows in {tables.RAW}; make reproduce measures them")
     make_profiles(timed, checked)
     make_accuracy(timed, checked)
     make_growth(timed)

@@ -14,7 +14,7 @@ from scipy.spatial import ConvexHull  # noqa: E402
 
 import tables  # noqa: E402
 
-FIGURES = tables.ROOT / "results/figures"
+FIGURES = tables.FIGURES
 BLUE, ORANGE, GREEN, GREY = "#0072b2", "#d55e00", "#009e73", "#666666"
 HUES = [BLUE, ORANGE, GREEN, "#cc79a7", "#56b4e9", "#e69f00"]
 MARKERS = "oDs^"
@@ -112,7 +112,7 @@ def draw_time():
     where every pair was right, hollow where some were not."""
     times = tables.times()
     if times.empty:
-        print("figures: no rows of time in results/raw/, so no time.svg", file=sys.stderr)
+        print(f"figures: no rows of time in {tables.RAW}, so no time.svg", file=sys.stderr)
         return
     times = tables.short(times[times.precision == times.precision.iloc[0]])
     algorithms, families = list(times.algorithm.unique()), list(times.family.unique())
@@ -142,7 +142,7 @@ def save(figure, name):
     FIGURES.mkdir(parents=True, exist_ok=True)
     figure.savefig(FIGURES / f"{name}.svg", metadata={"Date": None, "Creator": None})
     plt.close(figure)
-    print(f"results/figures/{name}.svg")
+    print((FIGURES / f"{name}.svg").relative_to(tables.ROOT))
 
 
 if __name__ == "__main__":

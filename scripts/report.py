@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Writes results/report.html, one page that needs no network: claims with verdicts, tables, figures, what they were
-measured on.  It is made of results/claims.md, results/tables/*.md, results/figures/*.svg and the environment lines of
-results/raw/; equal input gives the same page.
+"""Writes results/report.html, one page that needs no network: claims with verdicts, the main tables and figures, what they
+were measured on.  It is made of claims.md, tables/*.md, figures/*.svg and the environment lines of raw/; equal input gives
+the same page.  A folder without claims.md, as the main job's quick run makes, has the claims of results/.
 """
 
 import argparse
@@ -15,7 +15,6 @@ import jinja2
 
 import tables
 
-RESULTS = tables.ROOT / "results"
 TEMPLATE = Path(__file__).with_name("report.html.jinja")
 # Chapters: title, what it answers, tables, figures.  Tables that have many rows are folded.
 CHAPTERS = [
@@ -26,9 +25,9 @@ CHAPTERS = [
      ["time", "profile-time", "growth-roots", "accuracy"]),
     ("The certified algorithm", "Its speed beside two libraries, and what became of masses of pairs.",
      ["speed", "speed_gaps", "certified", "paths"], ["paths"]),
-    ("Other libraries", "The same pairs, the same truth, the same rounds.", ["peers_short", "peers", "peers_contacts"],
+    ("Other libraries", "The same pairs, the same truth, the same rounds.", ["peers_short", "peers_quick_short", "peers", "peers_quick", "peers_contacts"],
      ["profile-pairs"]),
-    ("Convergence", "Bits after each round, steps against the tolerance, orders by class of solution.", [],
+    ("Convergence", "Bits after each round, steps against the tolerance, orders by class of solution.", ["claims_short"],
      ["widths", "orders", "cost", "clip"]),
     ("Where a control point may go", "Regions of constant curvature sign.",
      ["region_random", "region_times", "region_times_random"],
@@ -102,26 +101,32 @@ def environments(raw):
     return found
 
 
+def is_number(text):
+    return text[:1] in set("-+.0123456789<>") and text != "-"
+
+
 def summary(claims):
     """{verdict: how many}"""
     return {verdict: sum(c["verdict"] == verdict for c in claims) for verdict in VERDICTS}
 
 
 def make(results):
-    claims = read_claims(results / "claims.md")
+    source = results / "claims.md"
+    source = source if source.exists() else tables.ROOT / "results/claims.md"
+    claims = read_claims(source)
     chapters = [{"title": title, "about": about,
                  "tables": [t for t in (read_table(results / f"tables/{n}.md") for n in names) if t],
                  "figures": [f for f in (read_figure(n, results / "figures") for n in figures) if f]}
                 for title, about, names, figures in CHAPTERS]
     environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined)
     return environment.from_string(TEMPLATE.read_text()).render(
-        claims=claims, commands=commands(results / "claims.md"), marks=VERDICTS, summary=summary(claims), chapters=chapters,
-        environments=environments(results / "raw"))
+        claims=claims, commands=commands(source), marks=VERDICTS, summary=summary(claims), chapters=chapters,
+        environments=environments(results / "raw"), is_number=is_number)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--results", type=Path, default=RESULTS, help="folder with claims.md, tables/, figures/, raw/ (results)")
+    parser.add_argument("--results", type=Path, default=tables.RESULTS, help="folder with tables/, figures/, raw/ (results)")
     parser.add_argument("--output", type=Path, help="page to write (report.html in that folder)")
     arguments = parser.parse_args()
     output = arguments.output or arguments.results / "report.html"

@@ -3,6 +3,7 @@
 
 import argparse
 import json
+import os
 import sys
 import textwrap
 from collections import Counter
@@ -11,8 +12,10 @@ from pathlib import Path
 import pandas as pd
 
 ROOT = Path(__file__).resolve().parent.parent
-RAW = ROOT / "results/raw"
-TABLES = ROOT / "results/tables"
+RESULTS = ROOT / os.environ.get("FATLINE_RESULTS", "results")  # the main job's quick run keeps its own
+RAW = RESULTS / "raw"
+TABLES = RESULTS / "tables"
+FIGURES = RESULTS / "figures"
 MASS = ROOT / "build/mass"  # too many rows to keep
 VERDICTS = {"RIGHT": "right", "WRONG": "wrong", "STOPPED": "stopped", "NOT_TAKEN": "not_taken",
             "UNJUDGED": "unjudged", "BROKEN": "broken"}
@@ -293,7 +296,7 @@ def make(quiet=False):
     """Writes all tables; returns the main one."""
     main = by_family(checks(), times())
     if main.empty:
-        sys.exit("tables: there are no rows in results/raw/; make reproduce measures them")
+        sys.exit(f"tables: there are no rows in {RAW}; make reproduce measures them")
     for path in [*TABLES.glob("counts-*"), *TABLES.glob("times-*")]:
         path.unlink()
     raw = "`results/raw/check-*`"

@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """The command `fatline`, its `list` and `solve`: what they print, where they complain, how they end.  Prints TAP."""
 
+import os
+import signal
 import subprocess
 import tempfile
 from pathlib import Path
@@ -18,6 +20,38 @@ def test_help_and_version():
     for command in ("list", "solve"):
         assert f"Usage: fatline {command}" in expect(fatline(command, "--help"), 0)
         assert expect(fatline(command, "--version"), 0) == "fatline 0.1\n"
+
+
+FULL = "/dev/full"
+SHORT = [["--help"], ["--version"], ["list"], ["list", "--json"], ["list", "--help"], ["solve", *LINE], ["solve", "--human", *LINE],
+         ["roots", "-d", 2], ["generate", "nice", "-c", 2], ["generate", "--list"], ["region", "--random", 2]]
+OF_CASES = [["solve"], ["truth"], ["check", "--truth", "-q"], ["check", "--truth", "--rows", "-q"], ["trace", "-a", "subdivision"],
+            ["repeat", "-a", "certified", "-"], ["time", "--rows", "--rounds", 5, "--seconds", 0.1, "-a", "certified", "--unchecked"],
+            ["time", "--human", "--rounds", 5, "--seconds", 0.1, "-a", "certified", "--unchecked"]]
+
+
+def test_a_full_disk_is_said():
+    """Once, with the command and the reason, whatever the command."""
+    for command in SHORT + OF_CASES:
+        with open(FULL, "w") as full:
+            ended = subprocess.run([FATLINE, *map(str, command)], input=CASE % "one" + "\n", stdout=full, stderr=subprocess.PIPE,
+                                   text=True, timeout=120)
+        name = "fatline" if command[0].startswith("--") else f"fatline {command[0]}"
+        said = f"{name}: standard output: No space left on device\n"
+        assert ended.returncode == 2 and ended.stderr.count("standard output") == 1 and said in ended.stderr, (command, ended)
+    for command in OF_CASES[:1] + OF_CASES[3:4] + OF_CASES[6:7]:
+        expect(fatline(*command, "-o", FULL, text=CASE % "one"), 2, FULL)
+
+
+def test_a_broken_pipe_is_not_said():
+    for command in SHORT + OF_CASES:
+        for ignored in (False, True):
+            read, write = os.pipe()
+            os.close(read)
+            ended = subprocess.run([FATLINE, *map(str, command)], input=CASE % "one" + "\n", stdout=write, stderr=subprocess.PIPE,
+                                   text=True, timeout=120, restore_signals=not ignored)
+            os.close(write)
+            assert ended.returncode == -signal.SIGPIPE and "output" not in ended.stderr, (command, ignored, ended)
 
 
 def test_wrong_usage():
@@ -155,8 +189,21 @@ def test_external_programs():
             row["algorithm"] = "fatline"
         assert here == there
     failing = rows(expect(fatline("solve", "--external", "false", text=text), 0, "one: false: ended with status 1"))
-    assert [(row["id"], row["outcome"]) for row in failing] == [(i, "INVALID") for i in ("one", "two", "three")]
+    assert [(row["id"], row["outcome"]) for row in failing] == [(i, "CRASHED") for i in ("one", "two", "three")]
     assert all("status 1" in row["message"] for row in failing)
+
+
+def test_table_of_check():
+    """A part for each class, and their sum if there are several; with --strict the words broken, which count."""
+    one = CASE % "one"
+    two = (CASE % "two").replace("[1,0]", "[1,2]")  # parallel: of another class
+    for text, heads in ((one, ["transversal"]), (one + "\n" + two, ["transversal", "none", "all classes"])):
+        shown = expect(fatline("check", "-q", "--truth", "-a", "certified", text=text), 0)
+        assert [line[:line.index(" cases ")].strip() for line in shown.splitlines() if " cases " in line] == heads, shown
+        assert "violated" not in shown
+    strict = ["check", "-q", "--truth", "--strict", "-a"]
+    shown = expect(fatline(*strict, "certified", text=one + "\n" + two), 0)
+    assert [line.split()[-1] for line in shown.splitlines() if line] == 3 * ["violated", "0"], shown
 
 
 def test_missing_programs_are_no_answers():
@@ -166,11 +213,18 @@ def test_missing_programs_are_no_answers():
 
 
 def test_external_programs_are_judged():
-    """With no other algorithm beside them; a program that answers nothing is not taken for right."""
+    """With no other algorithm beside them.  Not taken is what the program says it does not take; that it crashes, hangs or
+    writes something else is a wrong result."""
     text = "\n".join(CASE % name for name in ("one", "two"))
-    for command, verdict in ((f"{FATLINE} solve --tolerance $FATLINE_TOLERANCE", "RIGHT"), ("false", "NOT_TAKEN")):
-        judged = rows(expect(fatline("check", "--rows", "--truth", "--external", command, text=text), 0))
-        assert [row["verdict"] for row in judged if "verdict" in row] == [verdict, verdict], judged
+    says = '''sed -u 's/.*"id":"\\([a-z]*\\)".*/{"id":"\\1","outcome":"%s"}/' '''
+    for command, status, outcome, verdict in (
+            (f"{FATLINE} solve --tolerance $FATLINE_TOLERANCE", 0, "SOLVED", "RIGHT"), (says % "UNSUPPORTED", 0, "UNSUPPORTED", "NOT_TAKEN"),
+            (says % "INVALID", 0, "INVALID", "NOT_TAKEN"), (says % "GAVE_UP", 1, "GAVE_UP", "BROKEN"), ("false", 1, "CRASHED", "BROKEN"),
+            ("kill -9 $$", 1, "CRASHED", "BROKEN"), ("true", 1, "CRASHED", "BROKEN"), ("sleep 20", 1, "TIMED_OUT", "BROKEN"),
+            ("yes", 1, "GAVE_UP", "BROKEN"), (says % "FINE", 1, "GAVE_UP", "BROKEN"), ("echo {}; sleep 20", 1, "GAVE_UP", "BROKEN")):
+        limit = 0.3 if outcome == "TIMED_OUT" else 20
+        judged = rows(expect(fatline("check", "--rows", "--truth", "--timeout", limit, "--external", command, text=text), status))
+        assert [(row["outcome"], row["verdict"]) for row in judged] == 2 * [(outcome, verdict)], (command, judged)
 
 
 if __name__ == "__main__":

@@ -22,9 +22,9 @@ def cases(folder):
 
 
 def timed(folder, name, factors, samples=31, floor=0.01):
-    """A file of rows: algorithms with so many times the reference's time, a little scattered."""
+    """A file of rows: algorithms with so many times the floor's time, a little scattered."""
     lines = [{"environment": {"noise_floor": floor}}]
-    for algorithm, factor in {"certified": 1.0, **factors}.items():
+    for algorithm, factor in {"floor": 1.0, **factors}.items():
         times = [1000 * factor * (1 + 0.002 * ((7 * i + len(algorithm)) % 5 - 2)) for i in range(samples)]
         lines.append({"family": "f", "algorithm": algorithm, "precision": "double", "protocol": "stream", "pairs": 10,
                       "samples": times, "instructions": 5000 * factor})
@@ -61,13 +61,13 @@ def test_rows():
         unknown = timed(folder, "d.jsonl", {"one": 2.2, "two": 3.0}, floor=None)
         found = {row["algorithm"]: row for row in rows(expect(fatline("compare", "--rows", first, slower), REGRESSION))}
         assert found["one"]["change"] == "SLOWER" and abs(found["one"]["ratio"] - 1.1) < 0.01, found
-        assert found["two"]["change"] == "same" and "certified" not in found
+        assert found["two"]["change"] == "same" and "floor" not in found
+        assert {row["reference"] for row in found.values()} == {"floor"}
         assert abs(found["one"]["noise_floor"] - (1.01 * 1.01 - 1)) < 1e-12
         assert rows(expect(fatline("compare", "--rows", slower, first), 0))[0]["change"] == "faster"
         expect(fatline("compare", first, near), 0, "noise floor  2.0%")
         expect(fatline("compare", first, first), 0)
         expect(fatline("compare", first, unknown), REGRESSION, "noise floor  6.0%")
-        expect(fatline("compare", "--reference", "no_such", first, slower), 1)
 
 
 def test_rows_do_not_depend_on_the_machine():
@@ -86,7 +86,30 @@ def test_instructions_decide():
         first, second = timed(folder, "a.jsonl", {"one": 2.0}), timed(folder, "b.jsonl", {"one": 2.01})
         expect(fatline("compare", first, second), 0)
         said = expect(fatline("compare", "--rows", "--instructions", first, second), REGRESSION)
-        assert {row["algorithm"]: row["change"] for row in rows(said)} == {"one": "SLOWER", "certified": "same"}
+        assert {row["algorithm"]: row["change"] for row in rows(said)} == {"one": "SLOWER", "floor": "same"}
+
+
+def test_who_divides():
+    """The default algorithm is compared like the others; the floor divides, unless another is named."""
+    with tempfile.TemporaryDirectory() as folder:
+        first, slower = timed(folder, "a.jsonl", {"certified": 3.0, "one": 2.0}), timed(folder, "b.jsonl", {"certified": 3.6, "one": 2.0})
+        said = expect(fatline("compare", first, slower), REGRESSION, "divided by floor, which is not compared")
+        assert "2 compared, 1 slower" in said, said
+        expect(fatline("compare", "--reference", "one", first, slower), REGRESSION, "divided by one, which is not compared")
+        expect(fatline("compare", "--reference", "no_such", first, slower), 64, "both have floor, certified, one")
+        lines = [json.loads(line) for line in slower.read_text().splitlines()]
+        slower.write_text("".join(json.dumps(line) + "\n" for line in lines if line.get("algorithm") != "floor"))
+        expect(fatline("compare", first, slower), 64, "floor is not timed in both files; --reference NAME")
+        expect(fatline("compare", "--reference", "one", first, slower), REGRESSION, "1 compared, 1 slower")
+
+
+def test_rows_without_counts():
+    with tempfile.TemporaryDirectory() as folder:
+        first = timed(folder, "a.jsonl", {"one": 2.0})
+        lines = [json.loads(line) for line in first.read_text().splitlines()]
+        second = Path(folder) / "b.jsonl"
+        second.write_text("".join(json.dumps({key: row[key] for key in row if key != "instructions"}) + "\n" for row in lines))
+        expect(fatline("compare", "--instructions", first, second), 65, f"{second}: instructions: in no row")
 
 
 def test_doctor():

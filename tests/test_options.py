@@ -3,6 +3,7 @@
 for all.  Prints TAP."""
 
 import json
+import os
 import signal
 import subprocess
 import tempfile
@@ -135,6 +136,64 @@ def test_interruption_has_its_status():
         process.send_signal(signal.SIGINT)
         shown, _ = process.communicate(input=LINE, timeout=60)
         assert process.returncode == 130 and shown, (command, process.returncode, shown)
+
+
+def children(pid):
+    """Of a process, as /proc has them."""
+    try:
+        return [int(word) for task in Path(f"/proc/{pid}/task").iterdir() for word in (task / "children").read_text().split()]
+    except FileNotFoundError:
+        return []
+
+
+def begin_check(jobs, cases):
+    """A check with an external program that never answers, and its workers when there are as many as there will be."""
+    process = subprocess.Popen([FATLINE, "check", "-j", str(jobs), "-x", "sleep 1000", "--timeout", "1000"], stdin=subprocess.PIPE,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process.stdin.write("".join(CASE % f"c{i}" for i in range(cases)))
+    process.stdin.close()
+    process.stdin = None
+    expected = min(jobs, cases, 4 * os.cpu_count())
+    deadline = time.monotonic() + 30
+    while time.monotonic() < deadline and len(children(process.pid)) < expected:
+        time.sleep(0.02)
+    time.sleep(0.2)
+    return process, children(process.pid), expected
+
+
+def is_alive(pid):
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+
+
+def test_precision_goes_before_the_command():
+    for words, name in ((["--precision", "multi"], "multi"), (["--precision=quad"], "quad")):
+        expect(fatline("solve", *words, "-f", "0,0 1,1", "-g", "0,1 1,0"), 64, f"fatline --precision {name} solve ...")
+
+
+def test_nothing_to_generate():
+    expect(fatline("generate", "nice", "-c", 0), 64, "--count: \"0\", expected 1 or more")
+
+
+def test_workers_of_check():
+    """No more than cases, nor than four for each processor; all end with the run, however it ends."""
+    if not Path(f"/proc/{os.getpid()}/task/{os.getpid()}/children").exists():
+        return "no lists of children in /proc"
+    for number, status, jobs, cases in ((signal.SIGTERM, 130, 100000, 1), (signal.SIGINT, 130, 100000, 100), (signal.SIGKILL, -9, 2, 5)):
+        process, workers, expected = begin_check(jobs, cases)
+        assert len(workers) == expected, (len(workers), expected)
+        programs = [pid for worker in workers for pid in children(worker)]
+        process.send_signal(number)
+        _, said = process.communicate(timeout=60)
+        assert process.returncode == status, (process.returncode, said)
+        assert (f"--jobs: {4 * os.cpu_count()} instead of {jobs}" in said) == (cases > 4 * os.cpu_count()), said
+        deadline = time.monotonic() + 10
+        while time.monotonic() < deadline and any(map(is_alive, workers + programs)):
+            time.sleep(0.02)
+        assert not any(map(is_alive, workers + programs)), (number, workers, programs)
+    return None
 
 
 def test_bad_data_to_compare():

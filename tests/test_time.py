@@ -46,6 +46,22 @@ def test_floor_is_in_every_timing():
         assert len(alone) == 1 and "floor_ratio" not in alone[0]
 
 
+def test_floor_is_there_once():
+    """Also as the baseline."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = proved(folder)
+        command = ["time", *QUICK, "-a", "bezier_clipping", "--baseline", "floor"]
+        rows = {name: [row for row in rows_of(fatline(*command, "--rows", path).stdout) if row["algorithm"] == name]
+                for name in ("floor", "bezier_clipping")}
+        assert [len(found) for found in rows.values()] == [1, 1], rows
+        assert rows["floor"][0]["ratio"] == 1 and rows["bezier_clipping"][0]["ratio"] > 1, rows
+        table = fatline(*command, "--human", path).stdout
+        assert sum(line.startswith("floor ") for line in table.splitlines()) == 1, table
+        for named in ("floor", "floor,bezier_clipping"):
+            names = [row["algorithm"] for row in rows_of(fatline("time", *QUICK, "--rows", "-a", named, "-b", "floor", path).stdout)]
+            assert sorted(names) == sorted(named.split(",")), names
+
+
 def test_floor_reaches_full_precision():
     with tempfile.TemporaryDirectory() as folder:
         path = proved(folder, "nine", 4)
@@ -132,6 +148,50 @@ def check_resumed(command, folder, least):
     assert again.returncode in (0, 1) and whole.read_text() == parts.read_text(), "a complete file changed"
     other = fatline(*command, "--tolerance", "1e-7", "--resume")
     assert other.returncode == 64 and whole.read_text() == parts.read_text(), other.stderr
+    assert "begun without --tolerance" in other.stderr, other.stderr
+
+
+def test_only_runs_are_resumed():
+    """A file that is not one of ours is left as it is, however it begins; an empty one, and one that ends in its first line,
+    are begun."""
+    with tempfile.TemporaryDirectory() as folder:
+        path, output = proved(folder, count=2), Path(folder) / "rows.jsonl"
+        for command in (["check", "-a", "bezier_clipping"], ["time", "--rows", *QUICK, "-a", "bezier_clipping"]):
+            for text in ("my notes\n", "my notes", '{"id":1}\n', '{"id":1}', "[1]\n", "\n\nnotes\n"):
+                output.write_text(text)
+                ended = fatline(*command, "--resume", "-o", output, path)
+                assert ended.returncode == 65 and f"{output}:1: environment: missing" in ended.stderr, (text, ended.stderr)
+                assert output.read_text() == text, text
+            for text in ("", '{"environment":{"sch'):
+                output.write_text(text)
+                assert fatline(*command, "--resume", "-o", output, path).returncode == 0, text
+                whole = output.read_text()
+                assert rows_of(whole)
+            begun = whole.splitlines(keepends=True)
+            output.write_text(begun[0] + "notes in between\n" + "".join(begun[1:]))
+            before = output.read_text()
+            ended = fatline(*command, "--resume", "-o", output, path)
+            assert ended.returncode == 65 and f"{output}:2: not JSON" in ended.stderr and output.read_text() == before, ended
+
+
+def test_options_that_change_no_result():
+    with tempfile.TemporaryDirectory() as folder:
+        path, output = proved(folder, count=4), Path(folder) / "rows.jsonl"
+        begin = ["check", "-j", 2, "-o", output, "-a", "bezier_clipping", path]
+        assert fatline(*begin).returncode == 0
+        whole = output.read_text()
+        for same in (["-q", "-a", "bezier_clipping"], ["--jobs=3", "--quiet", "-a", "bezier_clipping"], ["-qj3", "-a", "bezier_clipping"],
+                     ["--job", 1, "-qa", "bezier_clipping"]):
+            ended = fatline("check", "--resume", *same, "--output", output, path)
+            assert ended.returncode == 0 and output.read_text() == whole, (same, ended.stderr)
+        for other, told in ((["-a", "bezier_clipping", "--strict"], "begun without --strict"),
+                            (["-a", "hybrid_clipping_2"], "begun with -a bezier_clipping where -a hybrid_clipping_2 stands now"),
+                            ([], "begun with -a, which is missing now")):
+            ended = fatline("check", "--resume", *other, "-o", output, path)
+            assert ended.returncode == 64 and told in ended.stderr, ended.stderr
+            assert output.read_text() == whole
+        ended = fatline("time", "--resume", "--rows", "-a", "bezier_clipping", "-o", output, path)
+        assert ended.returncode == 64 and "begun by fatline check" in ended.stderr, ended.stderr
 
 
 def test_time_resumes_after_a_kill():

@@ -128,10 +128,6 @@ int measuring_run(const struct measuring *m, int argc, char **argv,
     progress_end();
     if (worst == OK && !interrupted && !taken)
         worst = selection_complain(&m->cases, argv[0]);
-    if (fflush(stdout) || ferror(stdout)) {
-        fprintf(stderr, "%s: standard output cannot be written\n", argv[0]);
-        return FAILED;
-    }
     return interrupted ? INTERRUPTED : worst;
 }
 

@@ -24,7 +24,8 @@ static const struct argp_option options[] = {
      0},
     {"strict", STRICT, 0, 0,
      "also hold every record to its word, without any tolerance (judge_strict.h), and time each solve", 0},
-    {"jobs", 'j', "N", 0, "processes that share the work (1)", 0},
+    {"jobs", 'j', "N", 0,
+     "processes that share the work (1); no more than cases, nor than 4 for each processor", 0},
     {0, 0, 0, 0, "What is written:", 3},
     {"rows", ROWS, 0, 0, "a line of JSON for each case and algorithm instead of the table", 0},
     {"output", 'o', "FILE", 0, "write the rows there", 0},
@@ -46,11 +47,16 @@ static const char documentation[] =
     "tolerance asked for. "
     "The verdicts: RIGHT; WRONG (something missed, extra, duplicate or merged); STOPPED (out of steps or "
     "room "
-    "with every solution still covered); NOT_TAKEN; UNJUDGED (no truth known).\n\n"
+    "with every solution still covered); NOT_TAKEN (the answer is UNSUPPORTED or INVALID); BROKEN (GAVE_UP, "
+    "CRASHED, TIMED_OUT, also of an external program that ends, is late or writes something else); UNJUDGED "
+    "(no truth known).\n\n"
+    "The table has a part for each class and, if there are several, one for all that is not ambiguous.\n\n"
     "Merged: a group of records that hold a solution is wider than four tolerances.\n\n"
-    "With --strict rows also have `violated`, the words broken, and `ns`, the time of the solve.\n\n"
+    "With --strict rows and table also have `violated`, the words broken, and rows `ns`, the time of the "
+    "solve.\n\n"
     "Exit status: 0, 1 if something was missed or is extra or violated in a case that is not ambiguous "
-    "(duplicate and merged do not count), 2 on an input or output error or if the external program is not "
+    "(duplicate and merged do not count) or an answer is broken, 2 on an input or output error or if the "
+    "external program is not "
     "there, 64 on wrong usage, 65 on bad data or no case, 130 when interrupted.";
 
 static enum truth read_truth(struct argp_state *state, const char *text)

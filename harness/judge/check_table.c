@@ -82,31 +82,35 @@ void check_table_add(struct check_table *t, const json_t *row)
 /* ---- writing ---------------------------------------------------------------------------------------------
  */
 
-static void write_line(const struct table_line *line, int name_width, FILE *stream)
+static void write_line(const struct table_line *line, bool strict, int name_width, FILE *stream)
 {
     fprintf(stream, "%-*s ", name_width, line->algorithm);
     for (int i = 0; i < TABLE_COLUMNS; i++)
         fprintf(stream, " %*ld", (int)(i == STEPS ? 10 : strlen(columns[i].title)), line->sum[i]);
     if (line->max_error >= 0)
-        fprintf(stream, "  %9.2g\n", line->max_error);
+        fprintf(stream, "  %9.2g", line->max_error);
     else
-        fprintf(stream, "  %9s\n", "-");
+        fprintf(stream, "  %9s", "-");
+    if (strict)
+        fprintf(stream, "  %8ld", line->violated);
+    fputc('\n', stream);
 }
 
-static void write_head(const char *title, bool ambiguous, int name_width, FILE *stream)
+static void write_head(const char *title, bool ambiguous, bool strict, int name_width, FILE *stream)
 {
     char name[128];
     snprintf(name, sizeof name, "%s%s", *title ? title : "(no class)", ambiguous ? ", ambiguous" : "");
     fprintf(stream, "%-*s ", name_width, name);
     for (int i = 0; i < TABLE_COLUMNS; i++)
         fprintf(stream, " %*s", i == STEPS ? 10 : 0, columns[i].title);
-    fprintf(stream, "  max error\n");
+    fprintf(stream, "  max error%s\n", strict ? "  violated" : "");
 }
 
 static void accumulate(struct table_line *sum, const struct table_line *line)
 {
     for (int i = 0; i < TABLE_COLUMNS; i++)
         sum->sum[i] += line->sum[i];
+    sum->violated += line->violated;
     if (line->max_error > sum->max_error)
         sum->max_error = line->max_error;
 }
@@ -118,11 +122,23 @@ static void write_class(const struct check_table *t, int first, int name_width, 
     for (int i = 0; i < first; i++)
         if (!strcmp(t->at[i].class_name, of->class_name) && t->at[i].ambiguous == of->ambiguous)
             return;
-    write_head(of->class_name, of->ambiguous, name_width, stream);
+    write_head(of->class_name, of->ambiguous, t->strict, name_width, stream);
     for (int i = first; i < t->count; i++)
         if (!strcmp(t->at[i].class_name, of->class_name) && t->at[i].ambiguous == of->ambiguous)
-            write_line(&t->at[i], name_width, stream);
+            write_line(&t->at[i], t->strict, name_width, stream);
     fputc('\n', stream);
+}
+
+/* Is there anything to be summed up? */
+static bool has_several_classes(const struct check_table *t)
+{
+    const char *first = NULL;
+    for (int i = 0; i < t->count; i++)
+        if (!t->at[i].ambiguous && !first)
+            first = t->at[i].class_name;
+        else if (!t->at[i].ambiguous && strcmp(t->at[i].class_name, first))
+            return true;
+    return false;
 }
 
 /* Sums over the classes, ambiguous cases left out. */
@@ -130,6 +146,7 @@ static void write_sums(const struct check_table *t, int name_width, FILE *stream
 {
     struct check_table sums;
     memset(&sums, 0, sizeof sums);
+    sums.strict = t->strict;
     for (int i = 0; i < t->count; i++)
         if (!t->at[i].ambiguous)
             accumulate(line_of(&sums, "all classes", t->at[i].algorithm, false), &t->at[i]);
@@ -148,13 +165,15 @@ void check_table_write(const struct check_table *t, FILE *stream)
         for (int i = 0; i < t->count; i++)
             if (t->at[i].ambiguous == (pass == 1))
                 write_class(t, i, name_width, stream);
-    write_sums(t, name_width, stream);
+    if (has_several_classes(t))
+        write_sums(t, name_width, stream);
 }
 
 bool check_table_failed(const struct check_table *t)
 {
     for (int i = 0; i < t->count; i++)
-        if (!t->at[i].ambiguous && (t->at[i].sum[MISSED] || t->at[i].sum[EXTRA] || t->at[i].violated))
+        if (t->at[i].sum[BROKEN_] ||
+            (!t->at[i].ambiguous && (t->at[i].sum[MISSED] || t->at[i].sum[EXTRA] || t->at[i].violated)))
             return true;
     return false;
 }

@@ -38,6 +38,7 @@ static const char *complain(struct external *e, const char *format, ...)
 {
     va_list arguments;
     int n = snprintf(e->error, sizeof e->error, "%s: ", e->name);
+    e->failure = GAVE_UP;
     va_start(arguments, format);
     vsnprintf(e->error + n, sizeof e->error - (size_t)n, format, arguments);
     va_end(arguments);
@@ -115,7 +116,7 @@ static int finish(struct external *e, double grace)
     return status;
 }
 
-static const char *died(struct external *e)
+static const char *tell_end(struct external *e)
 {
     bool overlong = e->used + 4096 > LINE_BYTES_MAX;
     int status = finish(e, status_grace);
@@ -130,6 +131,21 @@ static const char *died(struct external *e)
     if (status != -1)
         return complain(e, "ended with status %d before it answered", WEXITSTATUS(status));
     return complain(e, overlong ? "a line without an end" : "closed its output before it answered");
+}
+
+static const char *died(struct external *e)
+{
+    const char *error = tell_end(e);
+    e->failure = CRASHED;
+    return error;
+}
+
+static const char *late(struct external *e)
+{
+    finish(e, 0);
+    complain(e, "no answer within %g s", e->timeout);
+    e->failure = TIMED_OUT;
+    return e->error;
 }
 
 enum transfer { MORE, NO_MORE };
@@ -168,11 +184,12 @@ static const char *exchange(struct external *e, const char *text, size_t length,
         struct pollfd wait[2] = {{e->from, POLLIN, 0}, {sent < length ? e->to : -1, POLLOUT, 0}};
         enum transfer state = MORE;
         int ready = left > 0 ? poll(wait, 2, left < 1000 ? (int)(left * 1000) + 1 : 1000000) : 0;
-        if (interrupted || ready == 0) {
+        if (interrupted) {
             finish(e, 0);
-            return interrupted ? complain(e, "interrupted")
-                               : complain(e, "no answer within %g s", e->timeout);
+            return complain(e, "interrupted");
         }
+        if (ready == 0)
+            return late(e);
         if (ready < 0)
             continue;
         if (wait[0].revents)
@@ -226,7 +243,7 @@ const char *external_ask(struct external *e, const char *id, const char *case_li
 {
     const char *error = ask(e, id, case_line, a);
     if (error) {
-        a->outcome = INVALID;
+        a->outcome = e->failure;
         a->steps = 0;
         a->crossings->count = a->crossings->overlaps = 0;
         snprintf(e->id, sizeof e->id, "%s", id);

@@ -18,6 +18,7 @@ struct external {
     int to, from;
     char *buffer; /* what was read and not yet taken */
     size_t used, size;
+    enum outcome failure; /* of what `error` tells */
     char id[256], algorithm[128], error[512];
 };
 
@@ -26,9 +27,9 @@ struct external {
 const char *external_start(struct external *e, const char *command, double timeout, real tolerance);
 
 /* Sends one case line (without a newline) and reads the answer into a; a->crossings is the caller's,
- * a->algorithm is e->name.  NULL on success.  Else (late, died, or a line that is none or for another case) a
- * message, owned by e: the answer then is INVALID without records, and the program is started anew for the
- * next case. */
+ * a->algorithm is e->name.  NULL on success.  Else a message, owned by e: the answer then has no records, its
+ * outcome is TIMED_OUT (late), CRASHED (it ended, or closed its output) or GAVE_UP (a line that is no answer,
+ * or one to another case; or it cannot be asked), and the program is started anew for the next case. */
 const char *external_ask(struct external *e, const char *id, const char *case_line, struct answer *a);
 
 /* Closes its input, waits up to a second, then kills it. */

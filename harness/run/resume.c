@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "row.h"
@@ -17,28 +18,120 @@ __attribute__((format(printf, 3, 4))) static int fail(struct resume *r, int stat
     return status;
 }
 
-/* The arguments of an environment line without --resume. */
-static json_t *arguments_of(const json_t *line)
+/* ---- the same command?
+ * ------------------------------------------------------------------------------------- */
+
+static const struct resume_option always[] = {{0, "resume", false}, {'o', "output", true}, {0, NULL, false}};
+
+static const struct resume_option *option_of(char letter, const char *name, const struct resume_option *idle)
+{
+    for (const struct resume_option *o = idle; o && o->name; o++)
+        if (name ? !strncmp(o->name, name, strcspn(name, "=")) : o->letter == letter)
+            return o;
+    return idle == always ? NULL : option_of(letter, name, always);
+}
+
+/* Appends the argument i without options that change no result; the number of arguments taken.  As argp has
+ * accepted them, a long option may be a beginning of its name, and letters may share an argument. */
+static size_t append_argument(json_t *kept, const json_t *list, size_t i, const struct resume_option *idle)
+{
+    const char *text = json_string_value(json_array_get(list, i));
+    const struct resume_option *o;
+    if (!strncmp(text, "--", 2) && text[2] && (o = option_of(0, text + 2, idle)) != NULL)
+        return o->valued && !strchr(text, '=') ? 2 : 1;
+    if (text[0] == '-' && text[1] && text[1] != '-') {
+        for (text++; *text && (o = option_of(*text, NULL, idle)) != NULL; text++)
+            if (o->valued)
+                return text[1] ? 1 : 2;
+        if (*text)
+            json_array_append_new(kept, json_sprintf("-%s", text));
+        return 1;
+    }
+    json_array_append(kept, json_array_get(list, i));
+    return 1;
+}
+
+/* The arguments of an environment line that make its rows what they are. */
+static json_t *arguments_of(const json_t *line, const struct resume_option *idle)
 {
     const json_t *list = json_object_get(json_object_get(line, "environment"), "arguments");
-    json_t *kept = json_array(), *text;
-    size_t i;
-    json_array_foreach(list, i, text)
-    {
-        if (i > 0 && strcmp(json_string_value(text), "--resume"))
-            json_array_append(kept, text);
-    }
+    json_t *kept = json_array();
+    for (size_t i = 1; i < json_array_size(list);)
+        i += json_is_string(json_array_get(list, i)) ? append_argument(kept, list, i, idle) : 1;
     return kept;
 }
 
-static bool same_command(const json_t *a, const json_t *b)
+/* "--tolerance 1e-9": the argument i, with the option before it that it may belong to; "" beyond the end. */
+static void argument_text(const json_t *list, size_t i, char text[120])
 {
-    json_t *x = arguments_of(a), *y = arguments_of(b);
-    bool same = json_equal(x, y);
+    const char *before = i > 0 ? json_string_value(json_array_get(list, i - 1)) : NULL;
+    const char *it = json_string_value(json_array_get(list, i));
+    bool belongs = it && it[0] != '-' && before && before[0] == '-' && !strchr(before, '=');
+    snprintf(text, 120, "%s%s%s", belongs ? before : "", belongs ? " " : "", it ? it : "");
+}
+
+static bool is_among(const json_t *list, const json_t *text)
+{
+    size_t i;
+    json_t *other;
+    json_array_foreach(list, i, other)
+    {
+        if (json_equal(other, text))
+            return true;
+    }
+    return false;
+}
+
+/* 0, or 64 and the first argument in which the two lists differ. */
+static int compare_arguments(struct resume *r, const char *path, const json_t *then, const json_t *now)
+{
+    size_t i = 0;
+    char old[120], new[120];
+    while (i < json_array_size(then) && json_equal(json_array_get(then, i), json_array_get(now, i)))
+        i++;
+    if (i == json_array_size(then) && i == json_array_size(now))
+        return 0;
+    argument_text(then, i, old);
+    argument_text(now, i, new);
+    const bool lost = old[0] && !is_among(now, json_array_get(then, i));
+    const bool added = new[0] && !is_among(then, json_array_get(now, i));
+    if (added && !lost)
+        return fail(r, 64, "%s: begun without %s; nothing was done", path, new);
+    if (lost && !added)
+        return fail(r, 64, "%s: begun with %s, which is missing now; nothing was done", path, old);
+    return fail(r, 64, "%s: begun with %s where %s stands now; nothing was done", path,
+                old[0] ? old : "nothing", new[0] ? new : "nothing");
+}
+
+static const char *fact(const json_t *line, const char *field)
+{
+    const char *text = json_string_value(json_object_get(json_object_get(line, "environment"), field));
+    return text ? text : "";
+}
+
+/* "check" of "fatline check" and of "fatline-check". */
+static const char *command_name(const json_t *line)
+{
+    const char *program = fact(line, "program"), *last = strpbrk(program, " -");
+    return last ? last + 1 : program;
+}
+
+static int compare_commands(struct resume *r, const char *path, const json_t *then, const json_t *now,
+                            const struct resume_option *idle)
+{
+    if (strcmp(command_name(then), command_name(now)))
+        return fail(r, 64, "%s: begun by fatline %s; nothing was done", path, command_name(then));
+    if (strcmp(fact(then, "precision"), fact(now, "precision")))
+        return fail(r, 64, "%s: begun at precision %s; nothing was done", path, fact(then, "precision"));
+    json_t *x = arguments_of(then, idle), *y = arguments_of(now, idle);
+    int status = compare_arguments(r, path, x, y);
     json_decref(x);
     json_decref(y);
-    return same;
+    return status;
 }
+
+/* ---- what is there
+ * ----------------------------------------------------------------------------------------- */
 
 /* What was read of the file so far. */
 struct past {
@@ -61,24 +154,39 @@ static void note_row(struct past *p, char *group, long start)
 }
 
 /* The first line must be the environment of the same command. */
+static int begin_past(struct resume *r, const char *path, const json_t *row, const struct resume_rule *rule,
+                      const json_t *environment)
+{
+    if (!json_object_get(row, "environment"))
+        return fail(r, 65,
+                    "%s:1: environment: missing, expected the file of an interrupted run; nothing was done",
+                    path);
+    int status = compare_commands(r, path, row, environment, rule->idle);
+    if (!status)
+        row_continue_run(json_string_value(json_object_get(row, "run")));
+    return status;
+}
+
+/* Only the last line may be torn, and the first only where it is seen to be ours: whatever else is no row was
+ * not written by us. */
 static int read_past(struct resume *r, FILE *file, const char *path, const struct resume_rule *rule,
                      const json_t *environment, struct past *p)
 {
     char *text = NULL;
     size_t size = 0;
     ssize_t n;
-    int status = 0;
-    for (long start = 0; !status && (n = getline(&text, &size, file)) > 0; start += n) {
-        json_t *row = text[n - 1] == '\n' ? json_loads(text, 0, NULL) : NULL;
-        if (!row)
-            break; /* torn */
-        char *group = rule->group(row);
-        if (start == 0 && !json_object_get(row, "environment"))
-            status = fail(r, 65, "%s:1: environment: missing, expected the file of an interrupted run", path);
-        else if (start == 0 && !same_command(row, environment))
-            status = fail(r, 64, "%s: begun with other arguments; nothing was done", path);
-        else if (start == 0)
-            row_continue_run(json_string_value(json_object_get(row, "run")));
+    int status = 0, number = 1;
+    for (long start = 0; !status && (n = getline(&text, &size, file)) > 0; start += n, number++) {
+        bool whole = text[n - 1] == '\n';
+        if (!whole && (start > 0 || !strncmp(text, "{\"environment\":", 15)))
+            break;
+        json_t *row = whole ? json_loads(text, 0, NULL) : NULL;
+        char *group = row ? rule->group(row) : NULL;
+        if (start == 0)
+            status = begin_past(r, path, row, rule, environment);
+        else if (!row)
+            status = fail(r, 65, "%s:%d: not JSON, expected a row of the interrupted run; nothing was done",
+                          path, number);
         if (group)
             note_row(p, group, start);
         p->end = start + n;
@@ -91,11 +199,14 @@ static int read_past(struct resume *r, FILE *file, const char *path, const struc
 /* Cuts the incomplete last group off. */
 static int cut(struct resume *r, const char *path, const struct resume_rule *rule, struct past *p)
 {
+    struct stat file;
     if (p->last && json_integer_value(json_object_get(p->groups, p->last)) < rule->rows) {
         json_object_del(p->groups, p->last);
         p->end = p->last_start;
     }
-    return truncate(path, p->end) ? fail(r, 2, "%s: %s", path, strerror(errno)) : 0;
+    if (stat(path, &file) || (file.st_size > p->end && truncate(path, p->end)))
+        return fail(r, 2, "%s: %s", path, strerror(errno));
+    return 0;
 }
 
 static int continue_file(struct resume *r, const char *path, const struct resume_rule *rule,
@@ -154,10 +265,10 @@ bool resume_has(const struct resume *r, const char *group)
 
 bool resume_close(struct resume *r)
 {
-    bool good = r->out && !fflush(r->out) && !ferror(r->out);
-    if (r->out && r->out != stdout)
-        good = !fclose(r->out) && good;
+    FILE *file = r->out != stdout ? r->out : NULL;
+    bool bad = file && ferror(file);
     json_decref(r->groups);
     memset(r, 0, sizeof *r);
-    return good;
+    errno = EIO;
+    return !(file && fclose(file)) && !bad;
 }

@@ -13,7 +13,7 @@ struct compare_settings {
     char **file;          /* cases, or two files of rows */
     int files;
     const char *tolerance, *max_steps;
-    const char *reference; /* of rows: the algorithm whose times divide all others of the same run */
+    const char *reference; /* of rows: whose times divide all others of the same run; NULL: floor */
     int generations, rounds;
     uint64_t seed;
     double floor; /* below which no difference is called; NAN: the noise floor that is known */
@@ -33,8 +33,9 @@ enum change comparison_change(const struct comparison *c);
 /* A line of the table, or a row. */
 void comparison_write(const struct compare_settings *s, const struct comparison *c);
 
-/* Each returns the exit status, and adds up what was compared and what is slower. */
+/* Each returns the exit status, and adds up what was compared and what is slower.  compare_files says whom it
+ * divides by in s->reference. */
 int compare_builds(const struct compare_settings *s, int *compared, int *slower);
-int compare_files(const struct compare_settings *s, int *compared, int *slower);
+int compare_files(struct compare_settings *s, int *compared, int *slower);
 
 #endif

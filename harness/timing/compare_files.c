@@ -14,7 +14,7 @@ static const double level = 0.99;
 static const double floor_unknown = 0.05;       /* of a run whose machine `doctor` did not see */
 static const double floor_instructions = 0.001; /* start-up that the difference of two runs does not cancel */
 
-enum { FAILED = 2, BAD_DATA = 65 };
+enum { FAILED = 2, USAGE = 64, BAD_DATA = 65 };
 
 struct run {
     json_t *rows; /* array */
@@ -120,7 +120,95 @@ static bool by_instructions(const struct compare_settings *s, const json_t *row,
     return json_is_number(a) && json_is_number(b);
 }
 
-int compare_files(const struct compare_settings *s, int *compared, int *slower)
+static bool has(const struct run *r, const char *algorithm)
+{
+    size_t i;
+    json_t *row;
+    json_array_foreach(r->rows, i, row)
+    {
+        if (!strcmp(text(row, "algorithm"), algorithm) &&
+            json_array_size(json_object_get(row, "samples")) > 0)
+            return true;
+    }
+    return false;
+}
+
+/* "a, b, c": who was timed in both runs; "" if nobody. */
+static void names_of_both(const struct run run[2], char *names, size_t size)
+{
+    size_t i, used = 0;
+    json_t *row, *seen = json_object();
+    names[0] = 0;
+    json_array_foreach(run[0].rows, i, row)
+    {
+        const char *name = text(row, "algorithm");
+        if (json_object_get(seen, name) || !has(&run[0], name) || !has(&run[1], name))
+            continue;
+        json_object_set_new(seen, name, json_true());
+        if (used < size)
+            used += (size_t)snprintf(names + used, size - used, "%s%s", used ? ", " : "", name);
+    }
+    json_decref(seen);
+}
+
+/* Whose times divide the others'; 0 or an exit status. */
+static int choose_reference(struct compare_settings *s, const struct run run[2])
+{
+    const bool asked = s->reference != NULL;
+    char names[2000];
+    if (!asked)
+        s->reference = intersector_floor->name;
+    if (has(&run[0], s->reference) && has(&run[1], s->reference))
+        return 0;
+    names_of_both(run, names, sizeof names);
+    if (asked)
+        fprintf(stderr, "fatline compare: --reference: %s is not timed in both files; ", s->reference);
+    else
+        fprintf(stderr,
+                "fatline compare: %s is not timed in both files; --reference NAME or --instructions is "
+                "needed; ",
+                s->reference);
+    fprintf(stderr, names[0] ? "both have %s\n" : "they have nobody in common%s\n", names);
+    return names[0] || asked ? USAGE : 0;
+}
+
+/* 0 or an exit status. */
+static int need_instructions(const struct compare_settings *s, const struct run run[2])
+{
+    for (int k = 0; k < 2; k++) {
+        bool counted = false;
+        size_t i;
+        json_t *row;
+        json_array_foreach(run[k].rows, i, row) counted =
+            counted || json_is_number(json_object_get(row, "instructions"));
+        if (!counted) {
+            fprintf(stderr,
+                    "%s: instructions: in no row, expected rows of `fatline time --count instructions`\n",
+                    s->file[k]);
+            return BAD_DATA;
+        }
+    }
+    return 0;
+}
+
+static void compare_row(const struct compare_settings *s, const struct run run[2], const json_t *row,
+                        int *compared, int *slower)
+{
+    const json_t *other = find(&run[1], row, NULL);
+    struct comparison c;
+    memset(&c, 0, sizeof c);
+    c.family = text(row, "family");
+    c.algorithm = text(row, "algorithm");
+    c.pairs = (int)json_integer_value(json_object_get(row, "pairs"));
+    if (!other || (!s->instructions && !strcmp(c.algorithm, s->reference)) ||
+        !(s->instructions ? by_instructions(s, row, other, &c) : by_reference(s, run, row, other, &c)))
+        return;
+    comparison_write(s, &c);
+    *compared += 1;
+    *slower += comparison_change(&c) == SLOWER;
+}
+
+int compare_files(struct compare_settings *s, int *compared, int *slower)
 {
     struct run run[2] = {{NULL, 0}, {NULL, 0}};
     size_t i;
@@ -128,21 +216,10 @@ int compare_files(const struct compare_settings *s, int *compared, int *slower)
     int status = 0;
     for (int k = 0; k < 2 && !status; k++)
         status = run_read(&run[k], s->file[k]);
-    json_array_foreach(run[0].rows, i, row)
-    {
-        json_t *other = !status ? find(&run[1], row, NULL) : NULL;
-        struct comparison c;
-        memset(&c, 0, sizeof c);
-        c.family = text(row, "family");
-        c.algorithm = text(row, "algorithm");
-        c.pairs = (int)json_integer_value(json_object_get(row, "pairs"));
-        if (!other || (!s->instructions && !strcmp(c.algorithm, s->reference)) ||
-            !(s->instructions ? by_instructions(s, row, other, &c) : by_reference(s, run, row, other, &c)))
-            continue;
-        comparison_write(s, &c);
-        *compared += 1;
-        *slower += comparison_change(&c) == SLOWER;
-    }
+    if (!status)
+        status = s->instructions ? need_instructions(s, run) : choose_reference(s, run);
+    if (!status)
+        json_array_foreach(run[0].rows, i, row) compare_row(s, run, row, compared, slower);
     json_decref(run[0].rows);
     json_decref(run[1].rows);
     return status;

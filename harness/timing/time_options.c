@@ -139,8 +139,11 @@ static void choose_variant(struct argp_state *state, struct time_settings *s, co
 static void choose_baseline(struct argp_state *state, struct time_settings *s)
 {
     bool batch = s->batch && !strcmp(s->baseline, s->batch_name);
+    bool yardstick = !s->no_floor && !strcmp(s->baseline, intersector_floor->name); /* takes part anyway */
     size_t n = batch_algorithm ? strlen(batch_algorithm->name) : 0;
 
+    if (yardstick)
+        return;
     if (intersector_find(s->baseline))
         solving_add(state, &s->algorithms, s->baseline);
     else if (!batch && n && !strncmp(s->baseline, batch_algorithm->name, n) &&
@@ -149,6 +152,27 @@ static void choose_baseline(struct argp_state *state, struct time_settings *s)
                    s->baseline[n + 6] ? "=VARIANT" : "");
     else if (!batch && !s->externals)
         argp_error(state, "--baseline: no algorithm %s; `fatline list` has their names", s->baseline);
+}
+
+/* Asked for by name, the floor takes part once: beside others as the yardstick it is anyway, alone as any
+ * algorithm. */
+static void keep_one_floor(struct time_settings *s)
+{
+    struct algorithms_named *a = &s->algorithms;
+    int kept = 0;
+
+    if (s->no_floor)
+        return;
+    if (a->count == 1 && a->at[0] == intersector_floor && !s->batch && !s->externals) {
+        s->no_floor = true;
+        return;
+    }
+    for (int i = 0; i < a->count; i++)
+        if (a->at[i] != intersector_floor)
+            a->at[kept++] = a->at[i];
+    if (kept < a->count)
+        a->at[kept] = NULL;
+    a->count = kept;
 }
 
 static void finish(struct argp_state *state, struct time_settings *s)
@@ -168,6 +192,7 @@ static void finish(struct argp_state *state, struct time_settings *s)
         solving_add(state, &s->algorithms, "all");
     if (s->baseline)
         choose_baseline(state, s);
+    keep_one_floor(s);
     s->human = s->human || (!s->rows && !s->output && isatty(STDOUT_FILENO));
     s->family_by = s->single ? "id" : s->family_by ? s->family_by : "file";
     s->max_steps = s->max_steps ? s->max_steps : STEPS_MAX;

@@ -113,7 +113,8 @@ static void leave_out(struct results *r, const struct work *work, struct timing 
     if (work[k].contender->left_out)
         snprintf(t->why_not, sizeof t->why_not, "%.150s", work[k].contender->left_out);
     else if (t->broken == t->judged && t->judged)
-        snprintf(t->why_not, sizeof t->why_not, "broke down on each of %d pairs", t->judged);
+        snprintf(t->why_not, sizeof t->why_not, "broke down on each of %d pairs%s", t->judged,
+                 work[k].failure);
     else if (t->not_taken == t->judged && t->judged)
         snprintf(t->why_not, sizeof t->why_not, "takes none of %d pairs", t->judged);
     else if (t->missing)

@@ -7,7 +7,7 @@
 #ifndef FATLINE_CERTIFIED_AVX2_ANY_ONE_H
 #define FATLINE_CERTIFIED_AVX2_ANY_ONE_H
 
-#include "avx2_any_arcs.h"
+#include "avx2_any_cones.h"
 
 #ifdef FATLINE_AVX2
 

@@ -7,7 +7,7 @@
  * method on the extended pair (cone.c, solve_one.c, ends.c);
  * - strips along the chords apart: nothing; arcs side by side that turn differently: none, two, or a contact
  * (graphs.c, contact.c); a derivative of the gap of one sign: at most so many (cluster.c); a cusp at a
- * cusp: at most so many (cusps.c);
+ * cusp: at most so many (cusps.c, cusps_common.c), and none around them (rings.c);
  * - a shared arc (overlap.c); a curve that is one point (point.c).
  *
  * Where rounding hides what is there, the place is cut again with twice the digits (zoom.c).  What is still
@@ -77,7 +77,9 @@ static void solver_init(struct solver *z, const struct problem *p, struct worksp
     z->next_look = w->steps + FIRST_LOOK;
     z->wider = 1;
     z->turns = false;
-    z->suspicions = z->looks = z->overlap_looks = 0;
+    z->suspicions = z->looks = z->overlap_looks = z->rings = 0;
+    z->narrow_t = p->bounds.tolerance_t;
+    z->narrow_s = p->bounds.tolerance_s;
     z->alone = false;
 }
 
@@ -136,11 +138,30 @@ static void begin_with_all(struct solver *z, const struct rest *rest)
     pair_push(z, 0, z->root_f, z->root_g, 0);
 }
 
+/* What is proved about two cusps often holds for the pairs around them too. */
+static void cusps_first(struct solver *z)
+{
+    const struct level *v = &z->level[0];
+    for (int i = 0, last = z->pairs; i < last && z->pairs > 1;) {
+        struct pair at = z->pair[i];
+        struct node *f = &z->f.node[at.f], *g = &z->g.node[at.g];
+        node_prepare(&v->f, f);
+        node_prepare(&v->g, g);
+        if (f->wide && g->wide) {
+            z->pair[i] = z->pair[--last];
+            z->pair[last] = at;
+        } else {
+            i++;
+        }
+    }
+}
+
 static void begin_with_rest(struct solver *z, const struct rest *rest)
 {
     for (int i = 0; i < rest->count; i++) {
         pair_push_rectangle(z, &rest->at[i].t, &rest->at[i].s);
     }
+    cusps_first(z);
 }
 
 /* ---- one pair ---- */
@@ -235,9 +256,10 @@ static enum verdict settle(struct solver *z, struct pair *at)
 {
     const struct level *v = &z->level[at->level];
     struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    if (z->solved > 0 || z->out->overlaps > 0) {
+    if (z->solved + z->rings + z->out->overlaps > 0) {
         struct interval t = level_t(v, f->lo, f->hi), s = level_s(v, g->lo, g->hi);
-        if (is_solved(z, at->level, &t, &s) || overlap_turns(z, &t, &s)) {
+        if (is_solved(z, at->level, &t, &s) || overlap_turns(z, &t, &s) ||
+            (z->rings > 0 && is_in_ring(z, &t, &s))) {
             return CLOSED;
         }
     }

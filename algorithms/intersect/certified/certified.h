@@ -18,7 +18,8 @@ enum {
     LEVELS_MAX = 4,
     NODES_MAX = 256, /* of each curve at a time */
     PAIRS_MAX = 1024,
-    SOLVED_MAX = 64
+    SOLVED_MAX = 64,
+    RINGS_MAX = 8
 };
 
 /* A curve of a level.  A point of the exact curve is its exact point at the same parameter.  Errors hold for
@@ -71,10 +72,10 @@ struct level {
     struct interval t, s; /* of the problem's parameters */
     real factor;          /* coordinates of the problem times this */
     real scale;           /* max |coordinate| of both, at least 1 */
-    /* Of a level above 0: the record it stands for if it takes too long, how many records (-1: not begun) and
-     * pairs there were before it, and steps left. */
+    /* Of a level above 0: the record it stands for if it takes too long, how many records (-1: not begun),
+     * pairs and solved rectangles there were before it, and steps left. */
     struct crossing otherwise;
-    int records, pairs, steps;
+    int records, pairs, solved, steps;
 };
 
 struct pair {
@@ -88,6 +89,11 @@ struct pair {
 struct rectangle {
     struct interval t, s;
     int level;
+};
+
+/* Parameters of the problem; every solution within is in the core. */
+struct ring {
+    struct interval t, s, core_t, core_s;
 };
 
 struct solver {
@@ -105,11 +111,14 @@ struct solver {
     int root_f, root_g;
     int next_look; /* steps before overlaps are looked for (again) */
     int overlap_looks;
-    bool turns;     /* an overlap has a cusp */
-    real wider;     /* times the uncertainty of ends of overlaps at cusps */
-    int suspicions; /* so often a gap was no more than rounding */
-    bool alone;     /* shared arcs are not looked for: loops.c */
-    int looks;      /* closer looks at pairs that would be candidates */
+    bool turns;              /* an overlap has a cusp */
+    real wider;              /* times the uncertainty of ends of overlaps at cusps */
+    int suspicions;          /* so often a gap was no more than rounding */
+    bool alone;              /* shared arcs are not looked for: loops.c */
+    int looks;               /* closer looks at pairs that would be candidates */
+    int rings;               /* so many there were; the last RINGS_MAX are kept */
+    real narrow_t, narrow_s; /* what no proof settles is halved down to this */
+    struct ring ring[RINGS_MAX];
 };
 
 /* CLOSED: every solution of the pair is in some record.  OPEN: nothing is known. */
@@ -182,6 +191,11 @@ enum search zero_prove(struct solver *z, int level, const struct zero *x, real w
  * the extended pair if it exists: a look closer, or a CLUSTER. */
 enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
                            const struct zero *x, int at_most, bool exists);
+/* The same where there are at most so many in the region of the curves, beyond the nodes and the level too.
+ */
+enum verdict region_settle_all(struct solver *z, int level, const struct zero *x, int at_most);
+/* Only by a closer look; OPEN: there is none to be had, or no need. */
+enum verdict region_look_all(struct solver *z, int level, const struct zero *x, int at_most);
 
 /* Does the region, cut off at the ends of the domain, lie within the nodes? */
 bool region_is_whole(const struct solver *z, int level, const struct node *f, const struct node *g,
@@ -194,6 +208,23 @@ bool region_is_solved(const struct solver *z, int level, const struct zero *x);
 /* The same where nothing is proved: OPEN if there is no closer look to be had. */
 enum verdict region_look(struct solver *z, int level, const struct zero *x);
 
+/* All solutions of the region are settled, by records or levels that this step has made. */
+void region_solved(struct solver *z, int level, const struct zero *x);
+/* The parameters of a part of the region, in the level; false: there are none. */
+bool region_inner(const struct level *v, const struct zero *x, struct interval *t, struct interval *s);
+
+/* ---- rings.c ---- */
+
+/* All solutions of the region `clear` are in `core`; NULL: there are none.  more: there is more than cusps in
+ * the core. */
+void ring_add(struct solver *z, int level, const struct zero *clear, const struct zero *core, bool more);
+/* Is the rectangle in a ring, but not in its core? */
+bool is_in_ring(const struct solver *z, const struct interval *t, const struct interval *s);
+/* CANDIDATEs within a ring become what of its core is in them. */
+void rings_part(struct solver *z);
+
+/* ---- ends.c ---- */
+
 /* From local parameters of a level to the problem's, rounded outwards. */
 struct interval level_t(const struct level *v, real lo, real hi);
 struct interval level_s(const struct level *v, real lo, real hi);
@@ -202,6 +233,8 @@ bool is_solved(const struct solver *z, int level, const struct interval *t, cons
 /* The rectangle of a level that was given up is no more than the record that stands for it. */
 void solved_shrink(struct solver *z, int level, const struct crossing *to);
 void solved_add(struct solver *z, const struct interval *t, const struct interval *s, int level);
+/* Forgets those that were added when there had been `from` of them. */
+void solved_forget(struct solver *z, int from);
 
 /* ---- zoom.c ---- */
 
@@ -242,6 +275,8 @@ void pair_push(struct solver *z, int level, int f, int g, int rest);
 void pair_push_rectangle(struct solver *z, const struct interval *t, const struct interval *s);
 /* Pushes what of the pair lies in the region instead of it; OPEN: there is no memory. */
 enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct zero *x);
+/* Pushes what of the pair lies around the region instead of it; OPEN: there is no memory. */
+enum verdict pair_push_around(struct solver *z, const struct pair *at, const struct zero *x);
 /* Halves the arc that is farther from straight; accepts the pair if neither needs it. */
 void pair_split(struct solver *z, const struct pair *at);
 /* The first split: both arcs in up to four parts, so that parts far from each other never wait.  false: no
@@ -249,7 +284,7 @@ void pair_split(struct solver *z, const struct pair *at);
 bool pair_split_root(struct solver *z, const struct pair *at);
 /* The pair as a CANDIDATE; in a level that stands for something better, that instead. */
 void pair_accept(struct solver *z, const struct pair *at);
-/* As narrow as asked? */
+/* As narrow as need be? */
 bool narrow_t(const struct solver *z, const struct level *v, const struct node *f);
 bool narrow_s(const struct solver *z, const struct level *v, const struct node *g);
 

@@ -1,9 +1,9 @@
 /* Cusps that meet cusps, and doubled ends that touch: how many solutions there are at most, by Rouche's
  * theorem.
  *
- * Where a derivative vanishes on both curves neither is a graph (graphs.c, gap_model.c).  Let the nodes' own
- * parameters be t0 + z and s0 + v, and their homogeneous coordinates, less a common point, P(z) with weight
- * A(z), Q(v) with weight B(v).  Solutions are the zeros of
+ * Where a derivative vanishes on both curves neither is a graph (graphs.c, gap_model.c).  Let the parameters
+ * of the level be t0 + z and s0 + v, and the homogeneous coordinates of its curves, less a common point, P(z)
+ * with weight A(z), Q(v) with weight B(v).  Solutions are the zeros of
  *
  *     H(z, v) = P(z) B(v) - Q(v) A(z),
  *
@@ -21,28 +21,20 @@
  * And with the left side over |P_p B_0|, |z|^p of a zero in the polydisc is at most that, less than r^p or
  * not: it shrinks to where they are, and one polydisc on the way where both conditions hold tells how many.
  *
- * Tangents in common.  p = q = 2, along the tangent H begins with a z^2 - c v^2, across it with b z^3 - d
- * v^3. Scale v so that |c| = |a|.  On the border of the polydisc |z|, |v| <= r let the first component differ
- * from the terms named by at most e1 |a| r^2, e1 <= 1/2, the second by e2 r^3.  If the first vanishes
- * somewhere on the way from those terms to H, then v^2 / z^2 (or, where |v| = r, its inverse) is a / c (1 +
- * x), |x| <= e1, and its power 3/2 differs from (a / c)^(3/2) by at most 2 e1.  There the terms of the second
- * are at least M - 2 e1 max(|b|, |d|), M = ||b| - |d|| if a c > 0, else sqrt(b^2 + d^2); so if that is more
- * than e2, the homotopy has no zero on the border.  The pair a z^2 - c v^2, b z^3 - d v^3 has one of
- * multiplicity 6: at most 6.  Where this is so for all r of an interval, no solution has max(|z|, |v|) in it.
+ * All this is about the curves, not the nodes: it holds beyond them too, and all solutions in the first
+ * polydisc are in the last.
  *
- * Rounding.  P_k = C(n, k) times k-th differences, by de Casteljau's algorithm at t0: control points err by 2
- * E each after the subtraction, so the difference by 2^k of that, and 2 n eps of itself by the algorithm.
- * Sums of terms that are not negative err relatively by less than 4 (n + m) eps. */
+ * Tangents in common: cusps_common.c.
+ *
+ * Rounding.  P_k = C(n, k) times k-th differences of the level's control points, by de Casteljau's algorithm
+ * at t0.  With the errors of the points (of x and of w x0: 2 c->error), the subtraction (3 u S) and the
+ * differences' own rounding (2 k u S), S the level's scale, they are as if the points erred by E = 2 c->error
+ * + (2 n + 8) u S, the difference by 2^k E; and by 4 (n + 1) eps of itself by the algorithm. All against the
+ * largest weight. Sums of terms that are not negative err relatively by less than 4 (n + m) eps. */
+#include "cusps.h"
 #include "graphs.h"
 
-enum { ORDER_MAX = 4, TERMS = DEGREE_MAX + 1 };
-
-/* Homogeneous coordinates at a parameter of a node, as powers; error: of x and y, and of w. */
-struct germ {
-    int n;
-    real t, reach; /* own parameter; how far the node's ends are from it */
-    real x[TERMS], y[TERMS], w[TERMS], error[TERMS], error_w[TERMS];
-};
+enum { ORDER_MAX = 4 };
 
 /* ---- power series ---- */
 
@@ -73,10 +65,11 @@ static void component_powers(int n, const real *c, real at, real error, real *ou
     }
 }
 
-static void germ_make(const struct source *c, const struct node *a, real t, real x0, real y0,
-                      struct germ *out)
+/* About the local parameter t; reach: how far the node's ends are. */
+static void germ_make(const struct level *v, const struct source *c, const struct node *a, real t, real x0,
+                      real y0, struct germ *out)
 {
-    const real *x = a->points, *y = x + c->n + 1, *w = y + c->n + 1;
+    const real *x = c->points, *y = x + c->n + 1, *w = y + c->n + 1;
     real px[TERMS], py[TERMS], ones[TERMS], spare[TERMS], most = 1;
     for (int i = 0; i <= c->n; i++) {
         ones[i] = c->rational ? w[i] : (real)1;
@@ -84,12 +77,14 @@ static void germ_make(const struct source *c, const struct node *a, real t, real
         py[i] = y[i] - y0 * ones[i];
         most = real_max(most, ones[i]);
     }
+    real error = (2 * c->error + (2 * c->n + 8) * (REAL_EPSILON / 2) * v->scale) * most;
     out->n = c->n;
     out->t = t;
-    out->reach = real_max(t, 1 - t) * (1 + REAL_EPSILON);
-    component_powers(c->n, px, t, 2 * c->node_error * most, out->x, spare);
-    component_powers(c->n, py, t, 2 * c->node_error * most, out->y, out->error);
-    component_powers(c->n, ones, t, c->rational ? c->node_error * most : (real)0, out->w, out->error_w);
+    out->reach = real_max(t - a->lo, a->hi - t) * (1 + REAL_EPSILON);
+    component_powers(c->n, px, t, error, out->x, spare);
+    component_powers(c->n, py, t, error, out->y, out->error);
+    real weight_error = c->rational ? (c->error + c->n * REAL_EPSILON) * most : (real)0;
+    component_powers(c->n, ones, t, weight_error, out->w, out->error_w);
     for (int k = 0; k <= c->n; k++) {
         out->error[k] = real_max(out->error[k], spare[k]);
     }
@@ -112,19 +107,19 @@ static int leading(const struct germ *a)
 }
 
 /* By Newton's method to where the power before p vanishes along it; is p then the leading one? */
-static bool centre_of_order(const struct source *c, const struct node *a, int p, real x0, real y0,
-                            struct germ *out)
+static bool centre_of_order(const struct level *v, const struct source *c, const struct node *a, int p,
+                            real x0, real y0, struct germ *out)
 {
-    real t = (real)0.5;
+    real t = (a->lo + a->hi) / 2;
     for (int digits = 1; digits < REAL_BITS; digits = 2 * digits) { /* a step doubles them */
-        germ_make(c, a, t, x0, y0, out);
+        germ_make(v, c, a, t, x0, y0, out);
         real along = out->x[p - 1] * out->x[p] + out->y[p - 1] * out->y[p];
         real square = out->x[p] * out->x[p] + out->y[p] * out->y[p];
         if (!(square > 0)) {
             return false;
         }
-        real next = clamp(t - along / (p * square), 0, 1);
-        if (real_abs(next - t) <= 4 * REAL_EPSILON) {
+        real next = clamp(t - along / (p * square), a->lo, a->hi);
+        if (real_abs(next - t) <= 4 * REAL_EPSILON * (a->hi - a->lo)) {
             break;
         }
         t = next;
@@ -133,10 +128,11 @@ static bool centre_of_order(const struct source *c, const struct node *a, int p,
 }
 
 /* Where the derivative is as good as zero, of order p - 1; p, or 0: there is no such place. */
-static int centre(const struct source *c, const struct node *a, real x0, real y0, struct germ *out)
+static int centre(const struct level *v, const struct source *c, const struct node *a, real x0, real y0,
+                  struct germ *out)
 {
     for (int p = 2; p <= ORDER_MAX && p <= c->n; p++) {
-        if (centre_of_order(c, a, p, x0, y0, out)) {
+        if (centre_of_order(v, c, a, p, x0, y0, out)) {
             return p;
         }
     }
@@ -228,10 +224,6 @@ static real root_of(real a, int p)
     return 2 * guess;
 }
 
-struct box {
-    real r, s;
-};
-
 /* At most p q solutions, all within out of the centres; false if that is not proved.  Where one arc is much
  * longer than the other, the conditions may hold together only when it has been cut down. */
 static bool crossed(const struct germ *a, int p, const struct germ *b, int q, struct box *out)
@@ -255,115 +247,108 @@ static bool crossed(const struct germ *a, int p, const struct germ *b, int q, st
     return counted;
 }
 
-/* ---- tangents in common ---- */
-
-/* Sum of |u . P_k| r^(k - lead): terms below `lead` at the least r, those above at the largest. */
-static real sum_off(const struct germ *a, real ux, real uy, int lead, real lo, real hi)
-{
-    real below = 0, above = 0;
-    if (lead > 0) {
-        below = sum_along(a, ux, uy, 0, lead - 1, lo);
-        for (int k = 0; k < lead; k++) {
-            below = below / lo;
-        }
-    }
-    if (lead < a->n) {
-        above = sum_along(a, ux, uy, lead + 1, a->n, hi);
-        for (int k = 0; k < lead; k++) {
-            above = above / hi;
-        }
-    }
-    return below + above;
-}
-
-/* P B less P_lead B_0 r^lead, over r^lead. */
-static real rest_of(const struct germ *a, const struct germ *b, real ux, real uy, int lead, real lo, real hi)
-{
-    real off = sum_off(a, ux, uy, lead, lo, hi), spread = sum_weights(b, hi) + b->error_w[0];
-    real main = real_abs(ux * a->x[lead] + uy * a->y[lead]), least = least_along(a, ux, uy, lead);
-    return ((off + (main - least)) * (b->w[0] + spread) + main * spread) * slack(a, b);
-}
-
-/* Is there no solution with lo <= max(|z|, |v|) <= hi, and at most 6 within? Own parameters are scaled. */
-static bool ring_is_free(const struct germ *f, const struct germ *g, real lo, real hi)
-{
-    real ex = f->x[2], ey = f->y[2], length = real_sqrt(ex * ex + ey * ey);
-    ex = ex / length;
-    ey = ey / length;
-    if (f->n < 3 && g->n < 3) {
-        return false;
-    }
-    real a = (ex * f->x[2] + ey * f->y[2]) * g->w[0], c = (ex * g->x[2] + ey * g->y[2]) * f->w[0];
-    real b = f->n < 3 ? (real)0 : (ex * f->y[3] - ey * f->x[3]) * g->w[0];
-    real d = g->n < 3 ? (real)0 : (ex * g->y[3] - ey * g->x[3]) * f->w[0];
-    real off = real_abs(real_abs(a) - real_abs(c)); /* of the scaling */
-    real size = real_abs(a) - 8 * REAL_EPSILON * real_abs(a);
-    real e1 = (rest_of(f, g, ex, ey, 2, lo, hi) + rest_of(g, f, ex, ey, 2, lo, hi) + off) / size +
-              16 * REAL_EPSILON;
-    int lead_f = f->n < 3 ? f->n : 3, lead_g = g->n < 3 ? g->n : 3;
-    real across = 0;
-    across += lead_f == 3 ? rest_of(f, g, -ey, ex, 3, lo, hi)
-                          : sum_along(f, -ey, ex, 0, f->n, lo) / (lo * lo * lo) * all_weights(g, hi);
-    across += lead_g == 3 ? rest_of(g, f, -ey, ex, 3, lo, hi)
-                          : sum_along(g, -ey, ex, 0, g->n, lo) / (lo * lo * lo) * all_weights(f, hi);
-    b = real_abs(b);
-    d = real_abs(d);
-    real least = a * c > 0 ? real_abs(b - d) : real_sqrt(b * b + d * d), more = 16 * REAL_EPSILON * (b + d);
-    return e1 <= (real)0.5 && least - 2 * e1 * real_max(b, d) - more > across * (1 + 16 * REAL_EPSILON);
-}
-
-static void rescale(struct germ *a, real by)
-{
-    real power = 1;
-    for (int k = 0; k <= a->n; k++) {
-        real *part[5] = {&a->x[k], &a->y[k], &a->w[k], &a->error[k], &a->error_w[k]};
-        for (int i = 0; i < 5; i++) {
-            *part[i] = *part[i] * power;
-        }
-        a->error[k] += 2 * (k + 2) * REAL_EPSILON * (real_abs(a->x[k]) + real_abs(a->y[k]));
-        a->error_w[k] += 2 * (k + 2) * REAL_EPSILON * real_abs(a->w[k]);
-        power = power * by;
-    }
-    a->reach = a->reach / by * (1 + 4 * REAL_EPSILON);
-}
-
-/* At most 6 solutions, all within out of the centres. */
-static bool common(const struct germ *f, const struct germ *g, struct box *out)
-{
-    struct germ b = *g;
-    real ex = f->x[2], ey = f->y[2];
-    real a = (ex * f->x[2] + ey * f->y[2]) * g->w[0], c = (ex * g->x[2] + ey * g->y[2]) * f->w[0];
-    if (!(real_abs(c) > 0)) {
-        return false;
-    }
-    real by = real_sqrt(real_abs(a / c)), r;
-    rescale(&b, by);
-    r = real_max(f->reach, b.reach);
-    bool any = false;
-    for (int k = 0; k < REAL_BITS && ring_is_free(f, &b, r / 2, r); k++) {
-        r = r / 2;
-        any = true;
-    }
-    out->r = real_min(r, f->reach);
-    out->s = real_min(r * by * (1 + 4 * REAL_EPSILON), g->reach);
-    return any;
-}
-
 /* ---- the pair ---- */
 
-static enum verdict settle_box(struct solver *z, const struct pair *at, const struct germ *a,
-                               const struct germ *b, const struct box *box, int at_most)
+/* What is around the centres, larger (up: 1) or smaller (-1) by rounding. */
+static struct zero region_of(const struct germ *a, const struct germ *b, const struct box *box, int up)
+{
+    real more = 1 + 4 * up * REAL_EPSILON, pad = 2 * up * REAL_EPSILON;
+    struct zero x = {a->t, b->t, box->r * more + pad, box->s * more + pad};
+    return x;
+}
+
+static bool is_within(const struct box *a, real share, real r, real s)
+{
+    return a->r <= share * r && a->s <= share * s;
+}
+
+/* As if the germ were exact. */
+static void without_errors(const struct germ *a, struct germ *out)
+{
+    *out = *a;
+    for (int k = 0; k <= a->n; k++) {
+        out->error[k] = out->error_w[k] = 0;
+    }
+}
+
+/* Where little is gained, halves tell more: sharp turns are no cusps.  Unless it is the errors that make the
+ * box so large. */
+static bool is_worth(const struct germ *a, int p, const struct germ *b, int q, const struct box *box,
+                     bool cross)
+{
+    const real small = (real)1 / 16, less = (real)1 / 2;
+    if (is_within(box, small, a->reach, b->reach)) {
+        return true;
+    }
+    struct germ f, g;
+    struct common c;
+    struct box exact = {REAL_HUGE, REAL_HUGE};
+    without_errors(a, &f);
+    without_errors(b, &g);
+    if (cross) {
+        crossed(&f, p, &g, q, &exact);
+    } else if (cusps_common(&f, &g, &c)) {
+        exact = c.ring[c.rings - 1].core;
+    }
+    return is_within(&exact, less, box->r, box->s);
+}
+
+static enum verdict settle_crossed(struct solver *z, const struct pair *at, const struct germ *a, int p,
+                                   const struct germ *b, int q, const struct box *box)
+{
+    const struct box reach = {a->reach, b->reach};
+    struct zero core = region_of(a, b, box, 1), clear = region_of(a, b, &reach, -1);
+    if (!is_worth(a, p, b, q, box, true) || region_settle_all(z, at->level, &core, p * q) == OPEN) {
+        return OPEN;
+    }
+    region_solved(z, at->level, &clear);
+    return CLOSED;
+}
+
+static bool lies_in(const struct node *a, real x, real radius)
+{
+    return x - radius <= a->lo && a->hi <= x + radius;
+}
+
+/* The core has been settled. */
+static enum verdict leave_rest(struct solver *z, const struct pair *at, const struct zero *clear)
+{
+    region_solved(z, at->level, clear);
+    return pair_push_around(z, at, clear);
+}
+
+/* An outer ring: a closer look at its core if it is small, else what of the pair lies around the ring, and in
+ * the core, becomes pairs. */
+static enum verdict take_out(struct solver *z, const struct pair *at, const struct zero *clear,
+                             const struct zero *core, bool small, int at_most)
+{
+    if (small && region_look_all(z, at->level, core, at_most) == CLOSED) {
+        return leave_rest(z, at, clear);
+    }
+    return pair_push_around(z, at, clear) == CLOSED ? pair_narrow(z, at, core) : OPEN;
+}
+
+/* What lies around the innermost ring is left to other pairs. */
+static enum verdict settle_common(struct solver *z, const struct pair *at, const struct germ *a,
+                                  const struct germ *b, const struct common *c)
 {
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
-    real wide = f->hi - f->lo, high = g->hi - g->lo;
+    const struct common_ring *last = &c->ring[c->rings - 1];
     const real small = (real)1 / 16;
-    if (!(box->r <= small * a->reach && box->s <= small * b->reach)) {
-        return OPEN; /* sharp turns rather than cusps: halves tell more */
+    struct zero core, clear;
+    for (const struct common_ring *r = c->ring; r <= last; r++) {
+        core = region_of(a, b, &r->core, 1);
+        clear = region_of(a, b, &r->clear, -1);
+        ring_add(z, at->level, &clear, r->at_most > 0 ? &core : NULL, r < last);
+        if (r < last && !(lies_in(f, core.t, core.rt) && lies_in(g, core.s, core.rs))) {
+            return take_out(z, at, &clear, &core, is_within(&r->core, small, a->reach, b->reach), r->at_most);
+        }
     }
-    struct zero x = {f->lo + wide * a->t, g->lo + high * b->t,
-                     wide * box->r * (1 + 4 * REAL_EPSILON) + 2 * REAL_EPSILON,
-                     high * box->s * (1 + 4 * REAL_EPSILON) + 2 * REAL_EPSILON};
-    return region_settle(z, at->level, f, g, &x, at_most, false);
+    if (last->at_most > 0 && (!is_worth(a, 2, b, 2, &last->core, false) ||
+                              region_settle_all(z, at->level, &core, last->at_most) == OPEN)) {
+        return OPEN;
+    }
+    return leave_rest(z, at, &clear);
 }
 
 enum verdict cusps_settle(struct solver *z, const struct pair *at)
@@ -372,23 +357,24 @@ enum verdict cusps_settle(struct solver *z, const struct pair *at)
     const struct node *f = &z->f.node[at->f], *g = &z->g.node[at->g];
     struct germ a, b;
     struct box box;
+    struct common common;
     struct spot o;
     source_at(&v->f, (f->lo + f->hi) / 2, &o);
-    int p = centre(&v->f, f, o.x, o.y, &a);
+    int p = centre(v, &v->f, f, o.x, o.y, &a);
     if (!p) {
         return OPEN;
     }
-    source_at(&v->f, f->lo + (f->hi - f->lo) * a.t, &o);
-    p = centre(&v->f, f, o.x, o.y, &a);
-    int q = centre(&v->g, g, o.x, o.y, &b);
+    source_at(&v->f, a.t, &o);
+    p = centre(v, &v->f, f, o.x, o.y, &a);
+    int q = centre(v, &v->g, g, o.x, o.y, &b);
     if (!p || !q) {
         return OPEN;
     }
     if (crossed(&a, p, &b, q, &box)) {
-        return settle_box(z, at, &a, &b, &box, p * q);
+        return settle_crossed(z, at, &a, p, &b, q, &box);
     }
-    if (p == 2 && q == 2 && common(&a, &b, &box)) {
-        return settle_box(z, at, &a, &b, &box, 6);
+    if (p == 2 && q == 2 && cusps_common(&a, &b, &common)) {
+        return settle_common(z, at, &a, &b, &common);
     }
     return OPEN;
 }

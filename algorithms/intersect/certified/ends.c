@@ -32,16 +32,21 @@ struct interval level_s(const struct level *v, real lo, real hi)
 }
 
 /* A part of it that surely lies within; lo > hi: none does. */
-static struct interval level_inner(const struct interval *span, const struct node *a)
+static struct interval level_inner(const struct interval *span, real lo, real hi)
 {
-    struct interval out = {a->lo <= 0 ? span->lo : rounded(span, a->lo, 1),
-                           a->hi >= 1 ? span->hi : rounded(span, a->hi, -1)};
+    struct interval out = {lo <= 0 ? span->lo : rounded(span, lo, 1),
+                           hi >= 1 ? span->hi : rounded(span, hi, -1)};
     return out;
 }
 
 static bool within(const struct interval *a, const struct interval *b)
 {
     return b->lo <= a->lo && a->hi <= b->hi;
+}
+
+static bool overlap(const struct interval *a, const struct interval *b)
+{
+    return a->lo <= b->hi && b->lo <= a->hi;
 }
 
 static void cut_off(struct interval *a)
@@ -82,6 +87,14 @@ void solved_shrink(struct solver *z, int level, const struct crossing *to)
             z->solved_at[i].t = to->t;
             z->solved_at[i].s = to->s;
         }
+    }
+}
+
+void solved_forget(struct solver *z, int from)
+{
+    const struct rectangle nowhere = {{2, 2}, {2, 2}, 0};
+    for (int i = z->solved > from + SOLVED_MAX ? z->solved - SOLVED_MAX : from; i < z->solved; i++) {
+        z->solved_at[i % SOLVED_MAX] = nowhere;
     }
 }
 
@@ -160,24 +173,39 @@ static int report(struct solver *z, int level, const struct zero *x)
     return 0;
 }
 
-/* Nodes over (t +- wt) x (s +- ws) and the zero in them, if there is just one. */
-static enum search search_around(struct solver *z, int level, real t, real s, real wt, real ws,
-                                 struct node *f, struct node *g, struct zero *x)
+/* Nodes over (t +- wt) x (s +- ws), as far as the level goes; numbers: their memory. */
+static inline void cut_around(const struct level *v, real t, real s, real wt, real ws,
+                              real numbers[2][7 * DEGREE_MAX + 3], struct node *f, struct node *g)
 {
-    const struct level *v = &z->level[level];
-    real numbers[2][7 * DEGREE_MAX + 3];
     f->points = numbers[0];
     g->points = numbers[1];
     f->way = numbers[0] + (v->f.rational ? 3 : 2) * (v->f.n + 1);
     g->way = numbers[1] + (v->g.rational ? 3 : 2) * (v->g.n + 1);
     node_cut(&v->f, real_max(t - wt, (real)0), real_min(t + wt, (real)1), f);
     node_cut(&v->g, real_max(s - ws, (real)0), real_min(s + ws, (real)1), g);
+}
+
+/* Such nodes, and the zero in them, if there is just one. */
+static enum search search_around(struct solver *z, int level, real t, real s, real wt, real ws,
+                                 struct node *f, struct node *g, struct zero *x)
+{
+    const struct level *v = &z->level[level];
+    real numbers[2][7 * DEGREE_MAX + 3];
+    cut_around(v, t, s, wt, ws, numbers, f, g);
     node_prepare(&v->f, f);
     node_prepare(&v->g, g);
     real c = cone_gap(f, g);
     enum search found = c > 0 ? solve_one(v, f, g, c, x) : STUCK;
     f->points = f->way = g->points = g->way = NULL;
     return found;
+}
+
+static bool region_meets(const struct solver *z, int level, const struct zero *x)
+{
+    real numbers[2][7 * DEGREE_MAX + 3];
+    struct node f, g;
+    cut_around(&z->level[level], x->t, x->s, x->rt, x->rs, numbers, &f, &g);
+    return nodes_meet(&f, &g);
 }
 
 enum search zero_prove(struct solver *z, int level, const struct zero *x, real wt, real ws,
@@ -197,7 +225,7 @@ enum search zero_prove(struct solver *z, int level, const struct zero *x, real w
             continue;
         }
         struct interval at = around(&v->t, found->t, found->rt), as = around(&v->s, found->s, found->rs);
-        struct interval ut = level_inner(&v->t, &f), us = level_inner(&v->s, &g);
+        struct interval ut = level_inner(&v->t, f.lo, f.hi), us = level_inner(&v->s, g.lo, g.hi);
         int looked = 0;
         if (!is_solved(z, level, &at, &as) && !is_reported(z, &ut, &us)) {
             looked = report(z, level, found);
@@ -228,7 +256,7 @@ enum verdict zero_settle(struct solver *z, int level, const struct node *f, cons
                    : CLOSED;
     }
     if (z->solved > 0) {
-        struct interval nt = level_inner(&v->t, f), ns = level_inner(&v->s, g);
+        struct interval nt = level_inner(&v->t, f->lo, f->hi), ns = level_inner(&v->s, g->lo, g->hi);
         if (is_reported(z, &nt, &ns)) {
             return CLOSED;
         }
@@ -237,11 +265,6 @@ enum verdict zero_settle(struct solver *z, int level, const struct node *f, cons
 }
 
 /* ---- one zero, two records ---- */
-
-static bool overlap(const struct interval *a, const struct interval *b)
-{
-    return a->lo <= b->hi && b->lo <= a->hi;
-}
 
 /* a holds one solution, or (END) one zero; b, a part of it, holds one solution. */
 static bool is_part(const struct crossing *b, const struct crossing *a)
@@ -339,6 +362,21 @@ bool region_is_solved(const struct solver *z, int level, const struct zero *x)
     return is_solved(z, level, &t, &s);
 }
 
+bool region_inner(const struct level *v, const struct zero *x, struct interval *t, struct interval *s)
+{
+    *t = level_inner(&v->t, x->t - x->rt, x->t + x->rt);
+    *s = level_inner(&v->s, x->s - x->rs, x->s + x->rs);
+    return t->lo <= t->hi && s->lo <= s->hi;
+}
+
+void region_solved(struct solver *z, int level, const struct zero *x)
+{
+    struct interval t, s;
+    if (region_inner(&z->level[level], x, &t, &s)) {
+        solved_add(z, &t, &s, is_busy(z, level) ? z->levels - 1 : 0);
+    }
+}
+
 bool region_is_whole(const struct solver *z, int level, const struct node *f, const struct node *g,
                      const struct zero *x)
 {
@@ -372,10 +410,9 @@ void region_record(struct solver *z, int level, const struct zero *x, int at_mos
     solved_add(z, &t, &s, 0);
 }
 
-/* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if
- * not, a level with it in its middle is made. */
-enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
-                           const struct zero *x, int at_most, bool exists)
+/* whole: it holds at most so many all over. */
+static enum verdict settle_region(struct solver *z, int level, const struct zero *x, int at_most, bool exists,
+                                  bool whole)
 {
     const struct level *v = &z->level[level];
     struct interval t = around(&v->t, x->t, x->rt), s = around(&v->s, x->s, x->rs);
@@ -384,7 +421,6 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     if (t.lo > t.hi || s.lo > s.hi || is_solved(z, level, &t, &s)) {
         return CLOSED;
     }
-    bool whole = region_is_whole(z, level, f, g, x);
     bool narrow = t.hi - t.lo <= z->p->bounds.tolerance_t && s.hi - s.lo <= z->p->bounds.tolerance_s;
     const struct crossing open = {t, s, CANDIDATE, 0, 0};
     struct crossing c = whole ? record_of(&t, &s, at_most, exists) : open;
@@ -405,6 +441,35 @@ enum verdict region_settle(struct solver *z, int level, const struct node *f, co
     record_add(z, &c);
     solved_add(z, &t, &s, 0);
     return CLOSED;
+}
+
+/* A CLUSTER must hold at most so many all over its rectangle, so the region has to lie within the nodes; if
+ * not, a level with it in its middle is made. */
+enum verdict region_settle(struct solver *z, int level, const struct node *f, const struct node *g,
+                           const struct zero *x, int at_most, bool exists)
+{
+    return settle_region(z, level, x, at_most, exists, region_is_whole(z, level, f, g, x));
+}
+
+enum verdict region_settle_all(struct solver *z, int level, const struct zero *x, int at_most)
+{
+    if (!region_meets(z, level, x)) {
+        return CLOSED;
+    }
+    return settle_region(z, level, x, at_most, false, true);
+}
+
+enum verdict region_look_all(struct solver *z, int level, const struct zero *x, int at_most)
+{
+    const struct level *v = &z->level[level];
+    struct crossing c = {around(&v->t, x->t, x->rt), around(&v->s, x->s, x->rs), CLUSTER, at_most, 0};
+    cut_off(&c.t);
+    cut_off(&c.s);
+    const real shorter = (real)1 / 4;
+    bool narrow = c.t.hi - c.t.lo <= z->p->bounds.tolerance_t && c.s.hi - c.s.lo <= z->p->bounds.tolerance_s;
+    bool solved = c.t.lo > c.t.hi || c.s.lo > c.s.hi || is_solved(z, level, &c.t, &c.s);
+    bool look = !narrow && !is_busy(z, level);
+    return solved || (look && zoom(z, level, x, shorter, &c)) ? CLOSED : OPEN;
 }
 
 enum verdict region_look(struct solver *z, int level, const struct zero *x)

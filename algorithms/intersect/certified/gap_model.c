@@ -27,6 +27,39 @@ static real frame_error(const struct source *c, const struct node *a)
     return whole ? 2 * c->error + 12 * c->node_error / (12 * c->n + 1) : 3 * c->node_error;
 }
 
+/* Polynomial: the k-th Taylor coefficient of the node is (hi - lo)^k times that of the whole source at the
+ * same place, so no larger than C(n, k) (hi - lo)^k times the source's largest k-th difference, 1-norms of
+ * both coordinates.  These differences are known to 2^k (3 e + 2 k u S) < 2^k (3 e + node_error).  Of narrow
+ * nodes of high degree this is far less than what rounding leaves of their own differences. */
+static void bound_terms(const struct source *c, const struct node *a, struct framed *out)
+{
+    real dx[DEGREE_MAX + 1], dy[DEGREE_MAX + 1], many = 1, power = 1, wide = a->hi - a->lo;
+    real error = 3 * c->error + c->node_error;
+    const int worth = c->rational ? (int)DEGREE_MAX + 1 : 5; /* of lower degree rounding is small */
+    for (int i = 0; i <= c->n; i++) {
+        dx[i] = c->points[i];
+        dy[i] = c->points[c->n + 1 + i];
+    }
+    for (int k = 0; k <= SERIES; k++) {
+        out->most[k] = REAL_HUGE;
+    }
+    for (int k = 0; k <= SERIES && k <= c->n && c->n >= worth; k++) {
+        real most = 0;
+        for (int i = 0; i <= c->n - k; i++) {
+            most = real_max(most, real_abs(dx[i]) + real_abs(dy[i]));
+        }
+        if (k > 1) {
+            out->most[k] = many * power * (most + real_ldexp(error, k)) * (1 + 64 * REAL_EPSILON);
+        }
+        for (int i = 0; i < c->n - k; i++) {
+            dx[i] = dx[i + 1] - dx[i];
+            dy[i] = dy[i + 1] - dy[i];
+        }
+        many = many * (real)(c->n - k) / (real)(k + 1);
+        power = power * wide;
+    }
+}
+
 static void frame_node(const struct source *c, const struct node *a, real ex, real ey, real x0, real y0,
                        struct framed *out)
 {
@@ -34,6 +67,7 @@ static void frame_node(const struct source *c, const struct node *a, real ex, re
     out->n = c->n;
     out->rational = c->rational;
     out->error = frame_error(c, a);
+    bound_terms(c, a, out);
     for (int i = 0; i <= c->n; i++) {
         real weight = c->rational ? w[i] : (real)1, dx = x[i] - x0 * weight, dy = y[i] - y0 * weight;
         out->c[0][i] = ex * dx + ey * dy;
@@ -56,7 +90,7 @@ static real weight_of(const struct framed *a)
  * `at`. */
 static void component_series(const struct framed *a, int component, real at, real error, struct series *out)
 {
-    real d[DEGREE_MAX + 1], v[DEGREE_MAX + 1], many = 1;
+    real d[DEGREE_MAX + 1], v[DEGREE_MAX + 1], times = 1, power = 1;
     int n = a->n;
     for (int i = 0; i <= n; i++) {
         d[i] = a->c[component][i];
@@ -66,16 +100,17 @@ static void component_series(const struct framed *a, int component, real at, rea
             out->c[k] = ball_of(0, 0);
             continue;
         }
-        real lo = d[0], hi = d[0], spread = many * error; /* many = C(n, k) 2^k */
+        real lo = d[0], hi = d[0], spread = times * power * error; /* times = C(n, k), power = 2^k */
         for (int i = 0; i <= n - k; i++) {
             lo = real_min(lo, d[i]);
             hi = real_max(hi, d[i]);
-            v[i] = d[i];
         }
-        real power = real_ldexp(1, k), times = many / power;
         if (at < 0) {
             out->c[k] = ball_round((lo + hi) / 2 * times, (hi - lo) / 2 * times + spread);
         } else {
+            for (int i = 0; i <= n - k; i++) {
+                v[i] = d[i];
+            }
             for (int j = n - k; j > 0; j--) {
                 for (int i = 0; i < j; i++) {
                     v[i] = (1 - at) * v[i] + at * v[i + 1];
@@ -84,10 +119,14 @@ static void component_series(const struct framed *a, int component, real at, rea
             real size = real_max(real_abs(lo), real_abs(hi));
             out->c[k] = ball_round(v[0] * times, spread + 2 * n * REAL_EPSILON * size * times);
         }
+        if (component < 2 && a->most[k] < out->c[k].rad) {
+            out->c[k] = ball_of(0, a->most[k]);
+        }
         for (int i = 0; i < n - k; i++) {
             d[i] = d[i + 1] - d[i];
         }
-        many = many * 2 * (real)(n - k) / (real)(k + 1);
+        times = times * (real)(n - k) / (real)(k + 1);
+        power = 2 * power;
     }
 }
 

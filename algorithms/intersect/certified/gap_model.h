@@ -11,6 +11,7 @@ struct framed {
     bool rational;
     real c[3][DEGREE_MAX + 1]; /* homogeneous: x, y, w */
     real error;                /* of x and y, times the weight */
+    real most[SERIES + 1];     /* polynomial: no Taylor coefficient of x or y is larger; else REAL_HUGE */
 };
 
 /* Of the free node's own parameter. */

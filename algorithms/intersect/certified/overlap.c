@@ -45,7 +45,7 @@ static real square_distance(const struct source *c, real t, real x, real y)
  * Newton's method approaches slowly, by the derivative's zero. */
 static real match(const struct source *c, real x, real y, real near, real *t)
 {
-    const real nearby = real_ldexp(1, -REAL_BITS / 6);
+    const real nearby = real_ldexp(1, -8);
     struct spot p;
     real distance = source_match(c, x, y, 0, 1, t), at = *t;
     if (!source_cusp(c, &at) || real_abs(at - *t) > nearby) {

@@ -17,8 +17,8 @@ real shared_distance(const struct level *v, const struct shared *a, real limit);
  * returns how far it is, in the maximum norm. */
 real source_match(const struct source *c, real x, real y, real lo, real hi, real *t);
 
-/* f'' by the local parameter, about. */
-void source_second(const struct source *c, real t, real *ddx, real *ddy);
+/* f'' by the local parameter, about: from f' at a distance h. */
+void source_second(const struct source *c, real t, real h, real *ddx, real *ddy);
 
 /* Moves t to where the derivative is nearest to 0, by Newton's method; is it no more than rounding there? */
 bool source_cusp(const struct source *c, real *t);

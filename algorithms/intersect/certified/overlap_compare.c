@@ -254,9 +254,8 @@ real source_match(const struct source *c, real x, real y, real lo, real hi, real
     return real_max(real_abs(p.x - x), real_abs(p.y - y));
 }
 
-void source_second(const struct source *c, real t, real *ddx, real *ddy)
+void source_second(const struct source *c, real t, real h, real *ddx, real *ddy)
 {
-    const real h = real_ldexp(1, -12);
     struct spot p, q;
     real next = t + h <= 1 ? t + h : t - h;
     source_at(c, t, &p);
@@ -267,17 +266,23 @@ void source_second(const struct source *c, real t, real *ddx, real *ddy)
 
 bool source_cusp(const struct source *c, real *t)
 {
-    const real many = 64;
+    const real many = 64, first = real_ldexp(1, -12), least = real_ldexp(1, -REAL_BITS / 2);
     struct spot p;
-    for (int k = 0; k < 8; k++) {
+    real h = first;
+    for (int k = 0; k < 16; k++) {
         real ddx, ddy;
         source_at(c, *t, &p);
-        source_second(c, *t, &ddx, &ddy);
+        source_second(c, *t, h, &ddx, &ddy);
         real square = ddx * ddx + ddy * ddy;
         if (!(square > 0)) {
             return false;
         }
-        *t = clamp(*t - (p.dx * ddx + p.dy * ddy) / square, 0, 1);
+        real next = clamp(*t - (p.dx * ddx + p.dy * ddy) / square, 0, 1), step = real_abs(next - *t);
+        *t = next;
+        if (step <= REAL_EPSILON) {
+            break;
+        }
+        h = clamp(step, least, first);
     }
     source_at(c, *t, &p);
     return real_max(real_abs(p.dx), real_abs(p.dy)) <= many * c->slope_noise;

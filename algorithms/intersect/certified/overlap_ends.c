@@ -22,7 +22,7 @@ static real speed_at(const struct source *c, real at)
 static real turned(const struct source *c, real end, real most)
 {
     real ddx, ddy;
-    source_second(c, end, &ddx, &ddy);
+    source_second(c, end, real_ldexp(1, -12), &ddx, &ddy);
     real bend = real_max(real_abs(ddx), real_abs(ddy));
     return bend > 0 ? 2 * real_sqrt(2 * most / bend) : (real)1;
 }

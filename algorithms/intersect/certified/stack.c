@@ -21,7 +21,8 @@ static bool lies_in(const struct crossing *a, const struct crossing *b)
 static bool is_idle(const struct crossing *a, const struct crossing *b)
 {
     if (b->standing == UNIQUE) {
-        return a->standing == UNIQUE && lies_in(b, a);
+        bool one = a->standing == UNIQUE || (a->standing == CLUSTER && a->at_most == 1);
+        return one && lies_in(b, a);
     }
     return b->standing == CLUSTER && a->standing != UNIQUE && lies_in(a, b);
 }
@@ -36,6 +37,19 @@ static void cut_away(struct interval *b, const struct interval *a)
     }
 }
 
+/* Where a lies inside b's t (or s), the part of b beyond it becomes a record of its own. */
+static void split_at(struct crossings *out, int b, bool in_t, const struct interval *a)
+{
+    struct interval *of = in_t ? &out->at[b].t : &out->at[b].s;
+    if (!(of->lo < a->lo && a->hi < of->hi) || out->count == CROSSINGS_MAX) {
+        return;
+    }
+    struct crossing *rest = &out->at[out->count++];
+    *rest = out->at[b];
+    *(in_t ? &rest->t.lo : &rest->s.lo) = a->hi;
+    of->hi = a->lo;
+}
+
 /* A CLUSTER that lies across another proof keeps what is outside of it; of a part at_most is true as well. */
 static void clusters_part(struct crossings *out)
 {
@@ -47,8 +61,10 @@ static void clusters_part(struct crossings *out)
                 continue;
             }
             if (a->t.lo <= b->t.lo && b->t.hi <= a->t.hi) {
+                split_at(out, i, false, &a->s);
                 cut_away(&b->s, &a->s);
             } else if (a->s.lo <= b->s.lo && b->s.hi <= a->s.hi) {
+                split_at(out, i, true, &a->t);
                 cut_away(&b->t, &a->t);
             }
         }
@@ -58,6 +74,7 @@ static void clusters_part(struct crossings *out)
 void records_tidy(struct solver *z)
 {
     struct crossing *at = z->out->at;
+    rings_part(z);
     for (int i = 0; i < z->out->count; i++) {
         for (int k = 0; k < z->out->count; k++) {
             if (k != i && is_idle(&at[k], &at[i])) {
@@ -109,12 +126,12 @@ void pair_push(struct solver *z, int level, int f, int g, int rest)
 
 bool narrow_t(const struct solver *z, const struct level *v, const struct node *f)
 {
-    return (v->t.hi - v->t.lo) * (f->hi - f->lo) <= z->p->bounds.tolerance_t;
+    return (v->t.hi - v->t.lo) * (f->hi - f->lo) <= z->narrow_t;
 }
 
 bool narrow_s(const struct solver *z, const struct level *v, const struct node *g)
 {
-    return (v->s.hi - v->s.lo) * (g->hi - g->lo) <= z->p->bounds.tolerance_s;
+    return (v->s.hi - v->s.lo) * (g->hi - g->lo) <= z->narrow_s;
 }
 
 static real extent(const struct node *a)
@@ -171,6 +188,49 @@ enum verdict pair_narrow(struct solver *z, const struct pair *at, const struct z
     }
     if (nodes_meet(&z->f.node[f], &z->g.node[g])) {
         pair_push(z, at->level, f, g, 0);
+    }
+    return CLOSED;
+}
+
+struct cuts {
+    int part[3]; /* before, in, after the region; 0: none, or no memory */
+    bool full;
+};
+
+static void cut_in_three(struct tree *tree, const struct source *c, int of, real x, real radius,
+                         struct cuts *out)
+{
+    real lo = tree->node[of].lo, hi = tree->node[of].hi;
+    const real at[4] = {lo, real_min(real_max(x - radius, lo), hi), real_max(real_min(x + radius, hi), lo),
+                        hi};
+    out->full = false;
+    for (int k = 0; k < 3; k++) {
+        bool any = at[k] < at[k + 1];
+        out->part[k] = any ? part_make(tree, c, at[k], at[k + 1]) : 0;
+        out->full |= any && !out->part[k];
+    }
+}
+
+enum verdict pair_push_around(struct solver *z, const struct pair *at, const struct zero *x)
+{
+    const struct level *v = &z->level[at->level];
+    struct cuts f, g;
+    if (!(x->rt > 0 && x->rs > 0)) {
+        return OPEN;
+    }
+    cut_in_three(&z->f, &v->f, at->f, x->t, x->rt, &f);
+    cut_in_three(&z->g, &v->g, at->g, x->s, x->rs, &g);
+    if (f.full || g.full) {
+        return OPEN;
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            bool around = i != 1 || k != 1;
+            if (around && f.part[i] && g.part[k] &&
+                nodes_meet(&z->f.node[f.part[i]], &z->g.node[g.part[k]])) {
+                pair_push(z, at->level, f.part[i], g.part[k], 0);
+            }
+        }
     }
     return CLOSED;
 }

@@ -196,6 +196,7 @@ bool zoom(struct solver *z, int from, const struct zero *x, real shorter, const 
     node_cut(&fresh->f, 0, 1, a);
     node_cut(&fresh->g, 0, 1, b);
     solved_add(z, &t, &s, level);
+    fresh->solved = z->solved;
     pair_push(z, level, f, g, 0);
     return true;
 }
@@ -229,6 +230,7 @@ void level_give_up(struct solver *z)
     z->pairs = v->pairs;
     if (v->records >= 0 && !z->out->merged) { /* merged, they may have moved: then they stay */
         z->out->count = v->records;
+        solved_forget(z, v->solved); /* their solutions were in those records */
     }
     if (go_on_below(z, &v->otherwise)) {
         for (int i = 1; i < z->levels; i++) { /* the levels around it are open there too */
