@@ -208,7 +208,7 @@ peers-table: all ## time and judge the other libraries that are installed beside
 peers-contacts: all ## what decides whether the other libraries get a contact right (1 minute)
 	@$(PYTHON) scripts/peers_contacts
 
-certified-masses: all ## a million random pairs and 141,000 adversarial ones, judged (7 minutes; results/tables/certified.md)
+certified-masses: all ## a million random pairs and 144,000 hard ones, judged (7 minutes; results/tables/certified.md)
 	@$(PYTHON) scripts/certified_masses --jobs $(JOBS)
 
 regions: build/double/fatline-region ## judge random regions and time regions (1 minute; FULL=1: 10,000 random ones)
