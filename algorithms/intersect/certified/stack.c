@@ -50,6 +50,25 @@ static void split_at(struct crossings *out, int b, bool in_t, const struct inter
     of->hi = a->lo;
 }
 
+/* Where a lies within b, what is left and right of it, and below and above, become records of their own. */
+static void split_around(struct crossings *out, int b, const struct crossing *a)
+{
+    struct crossing part[4] = {out->at[b], out->at[b], out->at[b], out->at[b]};
+    int parts = 0;
+    if (out->count + 3 > CROSSINGS_MAX) {
+        return;
+    }
+    part[0].t.hi = part[2].t.lo = part[3].t.lo = a->t.lo;
+    part[1].t.lo = part[2].t.hi = part[3].t.hi = a->t.hi;
+    part[2].s.hi = a->s.lo;
+    part[3].s.lo = a->s.hi;
+    for (int i = 0; i < 4; i++) {
+        if (part[i].t.lo < part[i].t.hi && part[i].s.lo < part[i].s.hi) {
+            out->at[parts++ == 0 ? b : out->count++] = part[i];
+        }
+    }
+}
+
 /* A CLUSTER that lies across another proof keeps what is outside of it; of a part at_most is true as well. */
 static void clusters_part(struct crossings *out)
 {
@@ -66,6 +85,8 @@ static void clusters_part(struct crossings *out)
             } else if (a->s.lo <= b->s.lo && b->s.hi <= a->s.hi) {
                 split_at(out, i, true, &a->t);
                 cut_away(&b->t, &a->t);
+            } else if (a->standing == UNIQUE && lies_in(a, b)) {
+                split_around(out, i, a);
             }
         }
     }
