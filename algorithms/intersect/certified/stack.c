@@ -27,43 +27,33 @@ static bool is_idle(const struct crossing *a, const struct crossing *b)
     return b->standing == CLUSTER && a->standing != UNIQUE && lies_in(a, b);
 }
 
-/* The rest of b without a, where that is one interval and not all of b. */
-static void cut_away(struct interval *b, const struct interval *a)
+static bool spans(const struct interval *a, const struct interval *b)
 {
-    if (b->lo < a->lo && a->lo < b->hi && b->hi <= a->hi) {
-        b->hi = a->lo;
-    } else if (a->lo <= b->lo && b->lo < a->hi && a->hi < b->hi) {
-        b->lo = a->hi;
-    }
+    return a->lo <= b->lo && b->hi <= a->hi;
 }
 
-/* Where a lies inside b's t (or s), the part of b beyond it becomes a record of its own. */
-static void split_at(struct crossings *out, int b, bool in_t, const struct interval *a)
+static bool lie_across(const struct crossing *a, const struct crossing *b)
 {
-    struct interval *of = in_t ? &out->at[b].t : &out->at[b].s;
-    if (!(of->lo < a->lo && a->hi < of->hi) || out->count == CROSSINGS_MAX) {
-        return;
-    }
-    struct crossing *rest = &out->at[out->count++];
-    *rest = out->at[b];
-    *(in_t ? &rest->t.lo : &rest->s.lo) = a->hi;
-    of->hi = a->lo;
+    return a->t.lo < b->t.hi && b->t.lo < a->t.hi && a->s.lo < b->s.hi && b->s.lo < a->s.hi;
 }
 
-/* Where a lies within b, what is left and right of it, and below and above, become records of their own. */
-static void split_around(struct crossings *out, int b, const struct crossing *a)
+/* b becomes what of it is left and right of a, and below and above: one to four records, if any is left. */
+static void take_out(struct crossings *out, int b, const struct crossing *a)
 {
-    struct crossing part[4] = {out->at[b], out->at[b], out->at[b], out->at[b]};
+    const struct crossing whole = out->at[b], hole = *a;
+    real lo = real_max(hole.t.lo, whole.t.lo), hi = real_min(hole.t.hi, whole.t.hi);
+    struct crossing part[4] = {whole, whole, whole, whole};
     int parts = 0;
     if (out->count + 3 > CROSSINGS_MAX) {
         return;
     }
-    part[0].t.hi = part[2].t.lo = part[3].t.lo = a->t.lo;
-    part[1].t.lo = part[2].t.hi = part[3].t.hi = a->t.hi;
-    part[2].s.hi = a->s.lo;
-    part[3].s.lo = a->s.hi;
+    part[0].t.hi = part[2].t.lo = part[3].t.lo = lo;
+    part[1].t.lo = part[2].t.hi = part[3].t.hi = hi;
+    part[2].s.hi = hole.s.lo;
+    part[3].s.lo = hole.s.hi;
     for (int i = 0; i < 4; i++) {
-        if (part[i].t.lo < part[i].t.hi && part[i].s.lo < part[i].s.hi) {
+        bool strip = i >= 2 && lo <= hi && part[i].s.lo < part[i].s.hi; /* it may have no width */
+        if (part[i].t.lo < part[i].t.hi ? part[i].s.lo <= part[i].s.hi : strip) {
             out->at[parts++ == 0 ? b : out->count++] = part[i];
         }
     }
@@ -76,17 +66,9 @@ static void clusters_part(struct crossings *out)
         struct crossing *b = &out->at[i];
         for (int k = 0; k < out->count && b->standing == CLUSTER && b->multiplicity == 0; k++) {
             const struct crossing *a = &out->at[k];
-            if (k == i || a->standing == CANDIDATE) {
-                continue;
-            }
-            if (a->t.lo <= b->t.lo && b->t.hi <= a->t.hi) {
-                split_at(out, i, false, &a->s);
-                cut_away(&b->s, &a->s);
-            } else if (a->s.lo <= b->s.lo && b->s.hi <= a->s.hi) {
-                split_at(out, i, true, &a->t);
-                cut_away(&b->t, &a->t);
-            } else if (a->standing == UNIQUE && lies_in(a, b)) {
-                split_around(out, i, a);
+            bool apart = a->standing == UNIQUE || spans(&a->t, &b->t) || spans(&a->s, &b->s);
+            if (k != i && a->standing != CANDIDATE && apart && lie_across(a, b)) {
+                take_out(out, i, a);
             }
         }
     }
